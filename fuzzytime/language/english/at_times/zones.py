@@ -6,7 +6,7 @@ from fuzzytime.language.english.at_times.stacks import iso
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.expressions import UNNAMED, Wall
 from fuzzytime.language.meaning.times_of_day import Clock
 
 grammar = Grammar()
@@ -76,3 +76,9 @@ def with_own_zone(time: Wall) -> Wall | None:
     if time.clock is None or time.zone is not None:
         return None
     return replace(time, clock=replace(time.clock, bare=False, pair=False))
+
+
+@grammar.rule("wall", "<wall> their|his|her time", "<wall> ( their|his|her time )", weight=0.3)
+def with_zone_of_others(time: Wall) -> Wall | None:
+    """9 am their time: by clocks of which it is not said where they are."""
+    return with_zone(time, UNNAMED)

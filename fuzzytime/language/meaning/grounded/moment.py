@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone, tzinfo
 
-from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.expressions import UNNAMED, Duration
 from fuzzytime.language.meaning.grounded.grounding import Grounding
 from fuzzytime.language.meaning.grounded.standpoint import Clues
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, shifted
@@ -29,7 +29,7 @@ class Moment(Clues[float]):
         """
         if self.now is None:
             raise UngroundedError("a time of day needs a clock: say what time it is now")
-        if zone is not None and self.now.tzinfo is not None:
+        if zone is not None and zone != UNNAMED and self.now.tzinfo is not None:
             return Grounding(self.now.astimezone(zone_of(zone)).replace(tzinfo=None), self.policy)
         here = self.now.replace(tzinfo=None)
         return Grounding(
@@ -66,17 +66,23 @@ class Moment(Clues[float]):
             raise UngroundedError("a time of day needs a clock: say what time it is now")
         if self.now.tzinfo is None:
             return seconds_between(self.now, wall)
-        there = zone_of(zone) if zone is not None else self.now.tzinfo
+        there = self.clocks_of(zone) or self.now.tzinfo
         try:
             return seconds_between(self.now, wall.replace(tzinfo=there, fold=self._fold(wall, there)))
         except (OverflowError, ValueError) as error:
             raise UngroundedError("a time must lie in the years 1 to 9999") from error
 
+    def clocks_of(self, zone: str | None) -> tzinfo | None:
+        """Give the clocks of a zone, where it is named, or else those that the time now is told by."""
+        if zone is None or zone == UNNAMED:
+            return None if self.now is None else self.now.tzinfo
+        return zone_of(zone)
+
     def skips(self, wall: datetime, zone: str | None) -> bool:
         """Whether a change of clocks skips a wall-clock time."""
         if self.now is None or self.now.tzinfo is None:
             return False
-        there = wall.replace(tzinfo=zone_of(zone) if zone is not None else self.now.tzinfo)
+        there = wall.replace(tzinfo=self.clocks_of(zone))
         return there.astimezone(UTC).astimezone(there.tzinfo).replace(tzinfo=None) != wall
 
     def _fold(self, wall: datetime, zone: tzinfo) -> int:

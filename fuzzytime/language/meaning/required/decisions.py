@@ -8,8 +8,18 @@ from datetime import UTC, date, datetime, timedelta
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.days.relations import Relative
-from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall, wall_of
-from fuzzytime.language.meaning.grounded.moment import Moment, zone_of
+from fuzzytime.language.meaning.expressions import (
+    UNNAMED,
+    Duration,
+    Offset,
+    Range,
+    Repeat,
+    Said,
+    Time,
+    Wall,
+    wall_of,
+)
+from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.midnights import is_eve
 from fuzzytime.language.meaning.recurrences.recurrence import CalendarRecurrence, EvenRecurrence
@@ -88,7 +98,9 @@ class Deciding:
         """Say what was chosen, and give it as a question where the policy asks."""
         remarks, questions = [], []
         now = self.moment.now
-        if zone is not None and now is not None and now.tzinfo is None:
+        if zone == UNNAMED:
+            remarks.append(self._noted(": the zone is not used, as it is not named"))
+        elif zone is not None and now is not None and now.tzinfo is None:
             remarks.append(self._noted(": the zone is not used, as the time now has none"))
         if found.is_point and self.moment.skips(found.start, zone):
             remarks.append(
@@ -106,8 +118,7 @@ class Deciding:
 
     def _becomes(self, found: Instants, zone: str | None) -> str:
         """Give the clock time that one becomes which a change of clocks skips."""
-        now = self.moment.now
-        there = zone_of(zone) if zone is not None else None if now is None else now.tzinfo
+        there = self.moment.clocks_of(zone)
         return f"{found.start.replace(tzinfo=there).astimezone(UTC).astimezone(there):%H:%M}"
 
     def of_unit(self, length: Duration) -> tuple[Remark, ...]:

@@ -22,6 +22,15 @@ def with_clipped(tree: Tree) -> Tree:
     return tree
 
 
+def with_there(tree: Tree) -> Tree:
+    """Give "be there by ten" where to be, which a tree takes for the "there" of "there is a party"."""
+    for place, node in enumerate(tree.nodes):
+        alone = node.relation == "expl" and node.head == place - 1 and tree.nodes[node.head].tag == "VB"
+        if alone and not tree.children(node.head, *SUBJECTS, "attr"):
+            tree = tree.changed(place, relation="advmod")
+    return tree
+
+
 def with_future(tree: Tree) -> Tree:
     """Give "I'm going to be out" the tree of "I'll be out", where "going" was taken for what is done."""
     for going, node in enumerate(tree.nodes):

@@ -8,6 +8,7 @@ from fuzzytime.language.sentence.segments.mended.forms_of_be import (
     with_future,
     with_owners_place,
     with_states,
+    with_there,
 )
 from fuzzytime.language.sentence.segments.mended.mended_verbs import (
     does_to_person,
@@ -49,7 +50,7 @@ def as_done(tree: Tree) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     if not tree.nodes:
         return tree
-    tree = with_owners_place(with_future(with_states(with_clipped(tree))))
+    tree = with_owners_place(with_future(with_states(with_there(with_clipped(tree)))))
     tree = _with_manner(_with_name_in_front(_with_numbered_things(with_amounts(tree))))
     tree = does_to_person(tree) or tree
     mended = _does_named(tree) or _lets(tree) or _does_nth(tree)
