@@ -6,6 +6,7 @@ they are taken for what is to be done.
 
 from collections.abc import Iterator
 
+from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.phrases import places_in
@@ -28,10 +29,13 @@ def notes_of(scanned: Scanned) -> Iterator[Span]:
     words = scanned.words
     places = [p for p in range(1, len(words) - 1) if words[p].text == ","]
     for place in places:
-        if words[place + 1].text != NO:
+        corrected = longest_match(words, place + 1, scanned.lexicon.corrections)
+        if words[place + 1].text != NO or (corrected and len(corrected) > 1):
+            # "At six, no wait, at seven"
             continue
         phrases = phrases_of(scanned)
-        end = next((p for p in range(place + 1, len(words)) if words[p].text in ENDS), len(words))
+        ends = ENDS | {","}
+        end = next((p for p in range(place + 1, len(words)) if words[p].text in ends), len(words))
         inside, span = words[place + 1 : end], (words[place + 1].start, words[end - 1].end)
         behind = any(phrase.end == place for phrase in phrases)
         alone = 1 < len(inside) <= LONGEST and all(word.is_letters for word in inside)

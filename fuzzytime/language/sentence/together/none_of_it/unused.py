@@ -73,7 +73,7 @@ def unused_words(text: str, part: Part, operation: Operation, heard: Sequence[Sp
     left = [
         place
         for place, node in enumerate(part.tree.nodes)
-        if (node.tag.startswith(NAMES) or node.lower in beside.marking_order or _says_how(node, lexicon))
+        if (_names(node) or node.lower in beside.marking_order or _says_how(node, lexicon))
         and node.text[0].isalnum()
         and place not in why
         and not any(word.text in known for word in words_of(node.text))
@@ -89,6 +89,11 @@ def unused_words(text: str, part: Part, operation: Operation, heard: Sequence[Sp
     if place >= 0 and not any(character.isdigit() for character in text[slice(*span)]):
         # "Sam, choir at seven": nobody is asked to do what happens.
         yield Remark.noted(text, span, "is not used")
+
+
+def _names(node: Node) -> bool:
+    """Whether a word names or counts something, or was taken for a verb that no dictionary has."""
+    return node.tag.startswith(NAMES) or (node.tag == "VBZ" and not node.may_act)
 
 
 def _reasons(tree: Tree) -> frozenset[int]:
