@@ -113,7 +113,9 @@ class _Telling:
         if goes:
             called = not said and not alone
             led = bool(said) and said[0] in told["subjects"] | told["determiners"]
-            return called or (led and said[-1] in told["being"])
+            # "Allow 40 minutes each way"
+            allowed = " ".join(said) in told["allowing"]
+            return called or allowed or (led and said[-1] in told["being"])
         if len(said) > 1 and said[-1] in told["taking"] and not after:
             # "The drive takes half an hour", "getting there takes ten minutes"
             named = [word for word in said[:-1] if word not in told["there"] | told["determiners"]]
