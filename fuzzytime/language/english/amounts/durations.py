@@ -181,6 +181,18 @@ def minutes_mark(number: Integer) -> Duration | None:
     return Duration(((number.value, Unit.MINUTE),)) if number.digits else None
 
 
+@grammar.rule("duration", "<quantity> ′")
+def minutes_of_step(number: Quantity) -> Duration:
+    """(simmer 20 min, rest) 5, (fry it) another 2."""
+    return Duration(((number.value, Unit.MINUTE),), number.hedges, unsaid=True)
+
+
+@grammar.rule("duration", "<quantity> ″")
+def seconds_of_step(number: Quantity) -> Duration:
+    """(hold for 30 seconds, rest) 10."""
+    return Duration(((number.value, Unit.SECOND),), number.hedges, unsaid=True)
+
+
 @grammar.rule("duration", '<integer> "')
 def seconds_mark(number: Integer) -> Duration | None:
     """30"."""
