@@ -97,8 +97,9 @@ def _goes_on_for(step: Sequence[Word], lexicon: Lexicon) -> bool:
     if lexicon.beside.ends_of_steps.issuperset(said[-1:]) and "for" in said[-LONGEST_STEP:]:
         return True
     verb, before = said[0], said[-1]
-    settles = verb in lexicon.doing.settling
-    timed = settles or verb in lexicon.timing | lexicon.timing_alone
+    # "Warm up 5"
+    settles = verb in lexicon.doing.settling and before in {verb, *lexicon.particles}
+    timed = verb in lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
     called = lexicon.called_by_number | lexicon.function_words - lexicon.beside.before_another_number
     named = len(said) == 1 or settles or before not in called
     return timed and named and len(said) <= LONGEST_STEP and not any(_counts(text, lexicon) for text in said)

@@ -36,6 +36,7 @@ from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, ti
 from fuzzytime.language.sentence.segments.lists.unmarked import with_marks_between
 from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
 from fuzzytime.language.sentence.segments.rounds import parted
+from fuzzytime.language.sentence.segments.steps_apart import steps_apart
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
 from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other
 from fuzzytime.language.sentence.segments.told.asides_of_hours import asides_of_hours
@@ -179,9 +180,12 @@ def drafted(
 
 def _source_of(draft: Draft) -> Source:
     """Give what a draft is cut into parts by."""
-    apart = tuple(orders_beside(draft.scanned.text, draft.messages))
     lists = closed_lists(draft.phrases, draft.scanned.words, draft.lexicon)
     phrases = tuple(as_one(lists, draft.phrases, draft.scanned.words))
+    apart = (
+        *orders_beside(draft.scanned.text, draft.messages),
+        *steps_apart(draft.scanned.words, phrases, draft.lexicon),
+    )
     further = tuple(times.further for times in lists)
     source = Source(draft.now, draft.scanned, phrases, draft.remarks, apart=apart, further=further)
     said = draft.scanned.words, source.covered, draft.lexicon

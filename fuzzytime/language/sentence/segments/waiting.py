@@ -217,11 +217,11 @@ class Waiting:
             led = Segment((start, led.span[1]), addressee=led.addressee)
         yield Waiting(self.position, self.source, led, main)
 
-    def cut_before(self, start: int) -> Iterator["Waiting"]:
-        """Give what stands before an order that nothing joins, and that order."""
+    def cut_before(self, start: int, *, entry: bool = False) -> Iterator["Waiting"]:
+        """Give what stands before an order that nothing joins, and that order, which may be an ``entry``."""
         first, end = self.segment.span
         before = replace(self.segment, span=(first, self.end_before(start)))
-        for segment in (before, Segment((start, end), addressee=self.segment.addressee)):
+        for segment in (before, Segment((start, end), addressee=self.segment.addressee, entry=entry)):
             yield Waiting.of(self.position, self.source, segment)
 
     @property
