@@ -13,6 +13,9 @@ grammar = Grammar()
 METRES = 100
 """From how many on "m" is hardly minutes: "turn left in 300 m"."""
 
+SEVERAL = 2
+"""Turns between which there is a rest."""
+
 YEARS = range(1800, 2100)
 """Numbers that an "s" makes a decade: "hits of the 1980s"."""
 
@@ -112,6 +115,27 @@ def times_as_long(number: Integer, duration: Duration) -> Duration | None:
     if number.value < 1 or duration.hedges or duration.until is not None or duration.indefinite:
         return None
     return replace(duration, terms=tuple((number.value * amount, unit) for amount, unit in duration.terms))
+
+
+RESTING = "rest|rests|break|breaks|pause|recovery|off|easy|slow|jog|walk|walking|jogging|standing"
+
+BETWEEN = f"a? <duration> {RESTING}"
+
+
+@grammar.rule(
+    "duration",
+    f"<integer> x|× <duration> hard|fast|on|work? with {BETWEEN}",
+    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} between",
+    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} in between",
+    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} between|after each|sets|them|reps",
+    weight=0.2,
+)
+def with_rests(number: Integer, work: Duration, rest: Duration) -> Duration | None:
+    """3 x 5 min with 2 min rest: all of it, with two rests."""
+    if number.value < SEVERAL or work.bare_end or rest.bare_end:
+        return None
+    seconds = number.value * work.seconds + (number.value - 1) * rest.seconds
+    return Duration(((seconds / 60, Unit.MINUTE),))
 
 
 @grammar.rule("duration", "<duration> more|longer|extra", weight=0.1)

@@ -1,7 +1,7 @@
 """Numbers behind what goes on for minutes, where a text says lengths of time: "simmer 20 min, rest 5".
 
 So they are where nothing but such numbers ends its steps ("knead 10, rest 60, bake 40"), and behind what goes
-on for seconds they are seconds: "hold it for 30 seconds, rest 10 between".
+on for seconds alone they are seconds: "hold it for 30 seconds, rest 10 between".
 """
 
 from collections.abc import Iterator, Sequence
@@ -58,9 +58,8 @@ def _units(words: Sequence[Word], lexicon: Lexicon, *, measured: bool) -> Iterat
     if not (measured or listed or says_lengths(words, lexicon)):
         return
     for place in (place for place in numbered if numbers[place]):
-        before = (_unit_at(words, at, lexicon) for at in range(place - 1, 0, -1))
-        unit = next((unit for unit in before if unit is not None), Unit.MINUTE)
-        yield place, SECONDS if unit is Unit.SECOND else MINUTES
+        before = {_unit_at(words, at, lexicon) for at in range(1, place)} - {None}
+        yield place, SECONDS if before == {Unit.SECOND} else MINUTES
 
 
 def _unit_at(words: Sequence[Word], place: int, lexicon: Lexicon) -> Unit | None:
