@@ -182,15 +182,17 @@ def _source_of(draft: Draft) -> Source:
     """Give what a draft is cut into parts by."""
     lists = closed_lists(draft.phrases, draft.scanned.words, draft.lexicon)
     phrases = tuple(as_one(lists, draft.phrases, draft.scanned.words))
-    apart = (
-        *orders_beside(draft.scanned.text, draft.messages),
-        *steps_apart(draft.scanned.words, phrases, draft.lexicon),
-    )
+    steps = dict(steps_apart(draft.scanned.words, phrases, draft.lexicon))
+    apart = (*orders_beside(draft.scanned.text, draft.messages), *steps)
+    meanwhile = tuple(start for start, beside in steps.items() if beside)
     further = tuple(times.further for times in lists)
-    source = Source(draft.now, draft.scanned, phrases, draft.remarks, apart=apart, further=further)
+    source = Source(
+        draft.now, draft.scanned, phrases, draft.remarks, apart=apart, meanwhile=meanwhile, further=further
+    )
     said = draft.scanned.words, source.covered, draft.lexicon
     openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases))
-    return replace(source, orders=tuple(order_words(*said)), openings=openings)
+    orders = tuple(order_words(*said))
+    return replace(source, orders=orders, openings=openings, meanwhile=meanwhile)
 
 
 def _without_parts(

@@ -95,7 +95,7 @@ def _cut(one: Waiting, part: Part, runs_on: int | None) -> list[Waiting]:
     """Cut a segment where its tree shows several; before the order that ``runs_on``, if nothing leads it."""
     apart = _order_apart(one)
     if apart is not None:
-        return list(one.cut_before(apart, entry=True))
+        return list(one.cut_before(apart))
     if not part.tree.nodes:
         return []
     listed = entries_of(one, part)

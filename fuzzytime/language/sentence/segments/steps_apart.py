@@ -20,8 +20,10 @@ ALONE = 2
 """Words of an order with what it is done with, at least."""
 
 
-def steps_apart(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon) -> Iterator[int]:
-    """Give where such steps begin."""
+def steps_apart(
+    words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon
+) -> Iterator[tuple[int, bool]]:
+    """Give where steps begin, and whether one only says how a thing is meanwhile: "simmer it, lid on"."""
     times = {place: phrase for phrase in phrases for place in range(phrase.first, phrase.end)}
     if not any(map(_is_length, phrases)):
         return
@@ -38,12 +40,12 @@ def steps_apart(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexic
         # "Take it off the heat, cover, and rest for ten minutes": verbs alone share what they are done with.
         alone = any(words[at].text == "," for at in (place - 2, place - 3)) or place < ALONE
         goes_on = not alone and _goes_on(words, begin, times, lexicon)
-        apart = comma and (
-            _is_state(words, begin, times, lexicon)
-            or (lasted is not None and _is_length(lasted) and _is_alone(words, begin, times, lexicon))
-        )
-        if goes_on or apart:
-            yield words[begin].start
+        lasts = comma and lasted is not None and _is_length(lasted)
+        state = _is_state(words, begin, times, lexicon) if comma else 0
+        if goes_on or state or (lasts and _is_alone(words, begin, times, lexicon)):
+            waits = any(words[at].text in lexicon.doing.waiting for at in range(place))
+            ends = state == len(words) or (state and words[state].text in ENDS)
+            yield words[begin].start, bool(lasts and state and ends and not waits)
 
 
 def _is_length(phrase: Phrase) -> bool:
@@ -66,17 +68,20 @@ def _is_alone(words: Sequence[Word], begin: int, times: Mapping[int, Phrase], le
     return not said and begin + 1 not in times and _ends(words, begin + 1, times, lexicon)
 
 
-def _is_state(words: Sequence[Word], begin: int, times: Mapping[int, Phrase], lexicon: Lexicon) -> bool:
-    """Whether a thing is to be somewhere, or so, from a place on: "simmer 50 min, | lid off at the end"."""
+def _is_state(words: Sequence[Word], begin: int, times: Mapping[int, Phrase], lexicon: Lexicon) -> int:
+    """Give where it ends that a thing is to be somewhere, or so, from a place on; 0 where none is.
+
+    "Simmer 50 min, | lid off for the last five"
+    """
     states = lexicon.beside.states | lexicon.particles.keys() | lexicon.doing.opening_up
     begin += words[begin].text in lexicon.closed.the
     for place in range(begin, min(begin + LONGEST_THING, len(words) - 1)):
         text = words[place].text
         if place in times or not words[place].is_letters or text in lexicon.function_words:
-            return False
+            return 0
         if words[place + 1].text in states and place + 1 not in times:
-            return _ends(words, place + 2, times, lexicon)
-    return False
+            return place + 2 if _ends(words, place + 2, times, lexicon) else 0
+    return 0
 
 
 def _ends(words: Sequence[Word], place: int, times: Mapping[int, Phrase], lexicon: Lexicon) -> bool:
