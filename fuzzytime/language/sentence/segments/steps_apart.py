@@ -49,6 +49,9 @@ def steps_apart(
 
 
 def _is_length(phrase: Phrase) -> bool:
+    """Whether it is how long something goes on, or until when: "mow until three, return"."""
+    if phrase.said.preposition == "until":
+        return True
     return phrase.said.constraint is Constraint.FOR and isinstance(phrase.said.time, Duration)
 
 
@@ -63,6 +66,8 @@ def _is_alone(words: Sequence[Word], begin: int, times: Mapping[int, Phrase], le
     """Whether a word stands at a place that asks for something by itself: "leave it 10 min, | scrub, …"."""
     text = words[begin].text
     known = text in lexicon.function_words or text in lexicon.numbers or not words[begin].is_letters
+    # "Can it wait till six, sorry?"
+    known = known or text in lexicon.addresses or (text,) in lexicon.courtesies or words[-1].text == "?"
     said = known or is_participle(text) or text.endswith(("ed", "ly"))
     # "Boil eggs for six minutes, beans for ten"
     return not said and begin + 1 not in times and _ends(words, begin + 1, times, lexicon)
