@@ -1,9 +1,11 @@
 """Lengths of time: "ten minutes", "an hour and a half", "1h30"."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import SMALLER, Integer, Typed
+from fuzzytime.language.grammar.understood.minutes_of_steps import MARKS
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Quantity, UnitWord
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Unit
@@ -205,16 +207,16 @@ def minutes_mark(number: Integer) -> Duration | None:
     return Duration(((number.value, Unit.MINUTE),)) if number.digits else None
 
 
-@grammar.rule("duration", "<quantity> ′")
-def minutes_of_step(number: Quantity) -> Duration:
-    """(simmer 20 min, rest) 5, (fry it) another 2."""
-    return Duration(((number.value, Unit.MINUTE),), number.hedges, unsaid=True)
+def _of_step(unit: Unit) -> Callable[[Quantity], Duration]:
+    def of_step(number: Quantity) -> Duration:
+        """(simmer 20 min, rest) 5, (hold for 30 seconds, rest) 10, (wait 2 hours, paint, wait) 4."""
+        return Duration(((number.value, unit),), number.hedges, unsaid=True)
+
+    return of_step
 
 
-@grammar.rule("duration", "<quantity> ″")
-def seconds_of_step(number: Quantity) -> Duration:
-    """(hold for 30 seconds, rest) 10."""
-    return Duration(((number.value, Unit.SECOND),), number.hedges, unsaid=True)
+for _unit, _mark in MARKS.items():
+    grammar.rule("duration", f"<quantity> {_mark}")(_of_step(_unit))
 
 
 @grammar.rule("duration", '<integer> "')

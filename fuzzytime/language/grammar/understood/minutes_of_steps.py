@@ -12,7 +12,7 @@ from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Unit
 
-MINUTES, SECONDS = "′", "″"
+MARKS = {Unit.SECOND: "″", Unit.MINUTE: "′", Unit.HOUR: "‵"}
 """What takes no room behind a number and says its unit."""
 
 STEP_ENDS = frozenset({",", ";", "\n", "."})
@@ -50,6 +50,7 @@ def with_units(words: Sequence[Word], lexicon: Lexicon, *, measured: bool) -> li
 def _units(words: Sequence[Word], lexicon: Lexicon, *, measured: bool) -> Iterator[tuple[int, str]]:
     """Give the numbers without a unit that count minutes or seconds, each with the mark of these."""
     steps = list(_steps(words, lexicon))
+    begins = {end - 1: first for first, end in steps}
     numbers = {end - 1: _goes_on_for(words[first:end], lexicon) for first, end in steps}
     numbered = [place for place, lasts in numbers.items() if words[place].is_digits or lasts]
     listed = len(numbered) >= SHORTEST_LIST and all(
@@ -58,8 +59,12 @@ def _units(words: Sequence[Word], lexicon: Lexicon, *, measured: bool) -> Iterat
     if not (measured or listed or says_lengths(words, lexicon)):
         return
     for place in (place for place in numbered if numbers[place]):
-        before = {_unit_at(words, at, lexicon) for at in range(1, place)} - {None}
-        yield place, SECONDS if before == {Unit.SECOND} else MINUTES
+        verb = words[begins[place]].text
+        before = [unit for at in range(1, place) if (unit := _unit_at(words, at, lexicon)) is not None]
+        # "Wait 2 hours, paint, wait 4"
+        own = (_unit_at(words, at + 2, lexicon) for at in range(place - 2) if words[at].text == verb)
+        unit = Unit.SECOND if set(before) == {Unit.SECOND} else Unit.MINUTE
+        yield place, MARKS[next((unit for unit in own if unit is not None), unit)]
 
 
 def _unit_at(words: Sequence[Word], place: int, lexicon: Lexicon) -> Unit | None:

@@ -27,7 +27,7 @@ def steps_apart(
     times = {place: phrase for phrase in phrases for place in range(phrase.first, phrase.end)}
     if not any(map(_is_length, phrases)):
         return
-    joints = lexicon.closed.joints_of_instances
+    joints, back = lexicon.closed.joints_of_instances, False
     for place in range(1, len(words) - 1):
         text = words[place].text
         if place in times or not (text == "," or text in joints) or words[place - 1].text in ENDS:
@@ -39,10 +39,12 @@ def steps_apart(
         lasted = times.get(place - 1 if text == "," or not comma else place - 2)
         # "Take it off the heat, cover, and rest for ten minutes": verbs alone share what they are done with.
         alone = any(words[at].text == "," for at in (place - 2, place - 3)) or place < ALONE
-        goes_on = not alone and _goes_on(words, begin, times, lexicon)
+        goes_on = not alone and _goes_on(words, begin, times, lexicon, comma=comma)
         lasts = comma and lasted is not None and _is_length(lasted)
         state = _is_state(words, begin, times, lexicon) if comma else 0
-        if goes_on or state or (lasts and _is_alone(words, begin, times, lexicon)):
+        # "Back on ice for 2 min, add SOC": no order stands around where something is.
+        if goes_on or state or (lasts and (back or _is_alone(words, begin, times, lexicon))):
+            back = state == begin + 1
             waits = any(words[at].text in lexicon.doing.waiting for at in range(place))
             ends = state == len(words) or (state and words[state].text in ENDS)
             yield words[begin].start, bool(lasts and state and ends and not waits)
@@ -55,9 +57,13 @@ def _is_length(phrase: Phrase) -> bool:
     return phrase.said.constraint is Constraint.FOR and isinstance(phrase.said.time, Duration)
 
 
-def _goes_on(words: Sequence[Word], begin: int, times: Mapping[int, Phrase], lexicon: Lexicon) -> bool:
+def _goes_on(
+    words: Sequence[Word], begin: int, times: Mapping[int, Phrase], lexicon: Lexicon, *, comma: bool
+) -> bool:
     """Whether a verb with nothing but how long it goes on stands at a place: "… | cook 9 minutes"."""
     verbs = lexicon.timing | lexicon.timing_alone | lexicon.doing.resting
+    # "Fix it 15 min in PFA, wash 3 x 5 min"
+    verbs |= lexicon.orders if comma else frozenset()
     length = times.get(begin + 1)
     return words[begin].text in verbs and length is not None and _is_length(length)
 
@@ -79,6 +85,10 @@ def _is_state(words: Sequence[Word], begin: int, times: Mapping[int, Phrase], le
     "Simmer 50 min, | lid off for the last five"
     """
     states = lexicon.beside.states | lexicon.particles.keys() | lexicon.doing.opening_up
+    again = lexicon.closed.adverbs_of_repetition & lexicon.particles.keys()
+    if words[begin].text in again and words[begin + 1].text in states:
+        # "Back in the oven for another ten, then turn it"
+        return begin + 1
     begin += words[begin].text in lexicon.closed.the
     for place in range(begin, min(begin + LONGEST_THING, len(words) - 1)):
         text = words[place].text
