@@ -212,7 +212,10 @@ class Gathering:
         """Make an instruction's skills, and give their places."""
         given = instruction, self.links.instructions, self.skills
         inside = going_on(*given, self.maker.lexicon)
-        behind = behind_of(*given) or each_turn_of(*given)
+        # What lasts is gone on from: "stain it for five minutes, wash three times, two minutes each".
+        lasted = [one for one in reading.instructions if one.span[1] <= instruction.span[0]][-1:]
+        stepwise = self.rows.begun or any(one.duration is not None for one in lasted)
+        behind = behind_of(*given, stepwise=stepwise) or each_turn_of(*given)
         made = self._skills_of(wish, reading, instruction, inside or behind, of_each(*given))
         if inside is not None and made:
             self.problems.append(ending_with(wish, instruction, inside))

@@ -46,6 +46,8 @@ class Steps:
         "set them aside", "return the mushrooms to the pan".
     timed
         Less than one of so many says when, by itself: else the times say the order.
+    lasting
+        Lines, at least, of which each says how long it goes on, and none when: "bike 10 min", "rest 2 min".
     """
 
     lines: int = 4
@@ -53,6 +55,7 @@ class Steps:
     same: int = 2
     least: int = 2
     timed: int = 3
+    lasting: int = 3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

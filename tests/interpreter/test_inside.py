@@ -3,7 +3,7 @@
 import pytest
 
 from fuzzytime.times import MINUTE
-from interpreter.telling import SEVEN, notes, order, starts, told
+from interpreter.telling import SEVEN, listed, notes, order, starts, told
 
 pytestmark = pytest.mark.model
 
@@ -94,6 +94,20 @@ def test_counted_turns_begin_behind_what_was_done_with_the_same_thing() -> None:
     assert first > "08:00"
     assert order(made) == ["s1", "s2", "s2.2", "s2.3"]
     assert int(second[:2]) * 60 + int(second[3:]) - int(first[:2]) * 60 - int(first[3:]) == 30
+
+
+def test_counted_turns_are_steps_among_others() -> None:
+    made = told(["stain it for 5 min, wash 3 times for 2 min each, rinse twice, a minute each, mount it"])
+    assert list(starts(made).values()) == ["07:00", "07:05", "07:07", "07:09", "07:11", "07:12", "07:13"]
+    lines = listed(
+        ["thaw the gel for 20 min", "wash twice, 1 min each", "after 2 min elute", "spin it", "store it"]
+    )
+    assert order(lines) == ["s1", "s2", "s2.2", "s3", "s4", "s5"]
+    assert starts(lines)["s3"] == "07:24"
+
+
+def test_of_two_that_are_said_to_last_the_second_follows() -> None:
+    assert starts(told(["simmer the stew for an hour, rest 15"])) == {"s1": "07:00", "s1.2": "08:00"}
 
 
 def test_no_turn_begins_before_the_one_before_it_is_over() -> None:

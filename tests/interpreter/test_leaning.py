@@ -42,6 +42,11 @@ def test_a_list_of_chores_or_of_times_is_none(lines: Sequence[str]) -> None:
     assert len(listed(lines).interpretation.order) < len(lines) - 2
 
 
+def test_lines_that_each_say_how_long_are_steps() -> None:
+    made = listed(["bike 10 min", "plank 3 x 1 min with 30 s rest", "cool down ten", "stretch 5"])
+    assert starts(made) == {"s1": "07:00", "s2": "07:10", "s3": "07:14", "s4": "07:24"}
+
+
 def test_what_goes_on_meanwhile_is_waited_for_by_what_is_done_with_it_or_comes_last() -> None:
     lines = ["Brown the mince for five minutes", "Meanwhile boil the rice for 30 minutes", "Add the stock"]
     lines += ["Simmer for 10 minutes", "Stir it", "Serve"]

@@ -19,11 +19,12 @@ def since_the_step_before(
     What no step names, as the dish that all is for, is ready when that is done. ``before`` are the positions
     of the skills of all instructions so far.
     """
-    target = _last_once(before, skills)
+    target = last_once(before, skills)
     if target is None or instruction.operation is None or instruction.operation.stated:
         return instruction
-    last = skills[before[target][0]]
-    requirements = tuple(_counted(part, target, last, lexicon) for part in instruction.requirements)
+    turn = len(before[target]) - 1
+    last = skills[before[target][turn]]
+    requirements = tuple(_counted(part, target, turn, last, lexicon) for part in instruction.requirements)
     return replace(instruction, requirements=requirements)
 
 
@@ -37,16 +38,23 @@ def is_of_what_is_made(part: TimeRequirement, lexicon: Lexicon) -> bool:
     return words.split()[-1:] != [] and words.split()[-1] in lexicon.results
 
 
-def _last_once(before: Sequence[range], skills: Sequence[Interpreted]) -> int | None:
-    """Give the latest instruction that asks for something once, and not beside another.
+def last_once(before: Sequence[range], skills: Sequence[Interpreted]) -> int | None:
+    """Give the latest instruction that asks for something that is over then, and not beside another.
 
     What is done again and again goes on inside of what is meant: "roast it for an hour, basting it".
     """
-    once = (place for place in range(len(before) - 1, -1, -1) if len(before[place]) == 1)
+    once = (place for place in range(len(before) - 1, -1, -1) if is_over(before[place], skills))
     return next((place for place in once if not Step(0, skills[before[place][0]]).beside), None)
 
 
-def _counted(part: TimeRequirement, target: int, last: Interpreted, lexicon: Lexicon) -> TimeRequirement:
+def is_over(places: range, skills: Sequence[Interpreted]) -> bool:
+    """Whether what is asked for is done once, or so many times: "wash three times, a minute each"."""
+    return len(places) == 1 or (bool(places) and Step(0, skills[places[-1]]).last_of_turns)
+
+
+def _counted(
+    part: TimeRequirement, target: int, turn: int, last: Interpreted, lexicon: Lexicon
+) -> TimeRequirement:
     if is_of_what_is_made(part, lexicon):
         if part.anchor is not None:
             return replace(part, anchor=replace(part.anchor, target=target))
@@ -55,7 +63,7 @@ def _counted(part: TimeRequirement, target: int, last: Interpreted, lexicon: Lex
         return part
     distance = part.t_spec
     edge = Edge.START if distance < last.skill.time_until_done else Edge.END
-    anchor = Anchor(text=part.text, target=target, edge=edge, lag=distance, exact=True)
+    anchor = Anchor(text=part.text, target=target, edge=edge, lag=distance, exact=True, turn=turn or None)
     return replace(
         part, constraint=Constraint.AFTER, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
     )

@@ -292,9 +292,16 @@ def _goes_on_with(first: Instruction, second: Instruction) -> bool:
 
 
 def _leaves_out(first: Instruction, second: Instruction, lexicon: Lexicon) -> bool:
-    """Whether what is to be done has no thing of its own, and needs one: it is that of the one before."""
+    """Whether what is to be done has no thing of its own, and needs one: it is that of the one before.
+
+    Of two that are each said to last, the second comes behind as well: "knead ten minutes, rest an hour".
+    """
     one, other = first.operation, second.operation
-    if one is None or other is None or one.stated or other.stated or one.object is None:
+    if one is None or other is None or one.stated or other.stated:
+        return False
+    if first.duration is not None and second.duration is not None and other.object is None:
+        return True
+    if one.object is None:
         return False
     return other.object is None and other.place is None and other.lemma not in lexicon.needing_nothing
 

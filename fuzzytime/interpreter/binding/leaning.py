@@ -28,6 +28,7 @@ class _Lines:
     same: int = 0
     linked: int = 0
     timed: int = 0
+    lasting: int = 0
     last_timed: bool = False
     begun: float = 0.0
     asked: dict[int, frozenset[str]] = field(default_factory=dict)
@@ -48,10 +49,11 @@ class _Lines:
             return
         first = asked[0][1]
         leans = self._goes_on(first) or _names_nothing(first, lexicon)
+        lasts = any(one.duration is not None for _, one in asked)
         known = frozenset().union(*self.asked.values())
         self.count += 1
+        self.lasting += lasts
         self.leaning += leans
-        lasts = any(one.duration is not None for _, one in asked)
         self.same += leans or lasts or not known.isdisjoint(_words(first))
         self.linked += leans or any(not known.isdisjoint(_words(one)) for _, one in asked)
         self.asked.update((place, _words(one)) for place, one in asked)
@@ -89,7 +91,8 @@ class _Lines:
         untimed = least.timed * (self.timed - self.last_timed) < self.read
         # What is needed is told above a recipe alone.
         enough = following >= least.lines and (some or most)
-        return untimed and (enough or (self.needing and following > 1))
+        lasting = not self.timed and least.lasting <= self.lasting == self.count
+        return untimed and (enough or lasting or (self.needing and following > 1))
 
 
 def lean_on_each_other(readings: Sequence[Reading], lexicon: Lexicon) -> bool:

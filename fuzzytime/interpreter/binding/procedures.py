@@ -22,12 +22,13 @@ def procedures(
     steps: list[Step] = []
     last: Instruction | None = None
     for place, (instruction, places) in enumerate(made):
-        asked = len(places) == 1 and is_asked(skills[places[0]])
+        step = Step(places[-1], skills[places[-1]], place) if places else None
+        asked = step is not None and ((len(places) == 1 and is_asked(step.interpreted)) or step.last_of_turns)
         joint = "" if last is None else reading.text[last.span[1] : instruction.span[0]]
         if not asked or not _goes_on_by(joint, lexicon):
             yield from _procedure(steps)
             steps = []
-        steps += [Step(places[0], skills[places[0]], place)] if asked else []
+        steps += [step] if asked and step is not None else []
         last = instruction
     yield from _procedure(steps)
 

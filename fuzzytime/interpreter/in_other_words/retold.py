@@ -198,7 +198,9 @@ def amid_its_hours(
     return (given + (hours.earliest + hours.latest) / 2,)
 
 
-def turn(repeated: TimeRequirement, target: int, edge: Edge, lag: float) -> TimeRequirement:
+def turn(
+    repeated: TimeRequirement, target: int, edge: Edge, lag: float, *, of: int | None = None
+) -> TimeRequirement:
     """Give one turn of a repetition that is counted from an edge of what another instruction asks for.
 
     Parameters
@@ -209,8 +211,10 @@ def turn(repeated: TimeRequirement, target: int, edge: Edge, lag: float) -> Time
         The position of that instruction among all, and which of its ends is counted from.
     lag
         How long after it this turn is, in seconds.
+    of
+        Which turn of that instruction is counted from, if it has several.
     """
-    anchor = Anchor(text=repeated.text, target=target, edge=edge, lag=lag, exact=True)
+    anchor = Anchor(text=repeated.text, target=target, edge=edge, lag=lag, exact=True, turn=of)
     return replace(
         repeated, constraint=Constraint.AFTER, anchor=anchor, earliest=None, latest=None, number=None
     )

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.interpreter.binding.delays import is_over, last_once
 from fuzzytime.interpreter.in_other_words.retold import turn
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.language import Instruction
@@ -11,9 +12,13 @@ from fuzzytime.requirement import Constraint, Edge, Recurrence, TimeRequirement
 
 @dataclass(frozen=True, slots=True)
 class Behind:
-    """The instruction, by its position among all, behind which turns begin, the first so much later."""
+    """The instruction, by its position among all, behind which turns begin, the first so much later.
+
+    Of turns it is the last: "wash twice, a minute each, rinse twice, a minute each".
+    """
 
     target: int
+    turn: int
     later: float = 0.0
 
     def times(
@@ -21,16 +26,17 @@ class Behind:
     ) -> Iterator[tuple[TimeRequirement]]:
         """Give the turns' times, each at its distance from the end of what is before them."""
         for start, _ in recurrence.windows(until):
-            yield (turn(repeated, self.target, Edge.END, self.later + start),)
+            yield (turn(repeated, self.target, Edge.END, self.later + start, of=self.turn or None),)
 
 
 def behind_of(
-    instruction: Instruction, before: Sequence[range], skills: Sequence[Interpreted]
+    instruction: Instruction, before: Sequence[range], skills: Sequence[Interpreted], *, stepwise: bool
 ) -> Behind | None:
     """Give what turns come behind; None where they have a time of their own, or follow nothing.
 
     It is what words name ("then"), or the latest that was asked for of the same thing: "fold it four times".
-    ``before`` are the positions of the skills of all instructions so far.
+    In steps that follow each other it is the latest that is over. ``before`` are the positions of the skills
+    of all instructions so far.
     """
     repeated = next((part for part in instruction.requirements if part.recurrence is not None), None)
     recurrence = None if repeated is None else repeated.recurrence
@@ -45,14 +51,17 @@ def behind_of(
     target = next((p.anchor.target for p in instruction.requirements if _follows(p) and p.anchor), None)
     if target is None and counted and operation is not None and operation.again:
         target = _about(operation.object, before, skills)
-    if target is None or not 0 <= target < len(before) or len(before[target]) != 1:
+    if target is None and counted and stepwise:
+        # "Stain it for five minutes, wash three times, two minutes each"
+        target = last_once(before, skills)
+    if target is None or not 0 <= target < len(before) or not is_over(before[target], skills):
         return None
-    one = skills[before[target][0]]
+    one = skills[before[target][-1]]
     if one.operation is None or (counted and one.stated):
         return None
     # "Fold the dough. Repeat three times, half an hour apart"
     again = counted and operation is not None and operation.again and operation.lemma == one.operation.lemma
-    return Behind(target, recurrence.interval if again else 0.0)
+    return Behind(target, len(before[target]) - 1, recurrence.interval if again else 0.0)
 
 
 def _about(thing: str | None, before: Sequence[range], skills: Sequence[Interpreted]) -> int | None:

@@ -28,6 +28,7 @@ from fuzzytime.language.grammar.understood.lending import (
     moved_to,
     one_by_one,
 )
+from fuzzytime.language.grammar.understood.minutes_of_steps import with_units
 from fuzzytime.language.grammar.understood.typed_hours import (
     clock_of_alarm,
     going_on,
@@ -57,7 +58,8 @@ REMEMBERED = 64
 class Scanned:
     """A text's words, everything the grammar finds in them, and what stands around each of them.
 
-    At each of the places of ``hours`` stands a space or a point that is read as the mark of an hour.
+    At each of the places of ``hours`` stands a space or a point that is read as the mark of an hour. It is
+    ``measured`` where lines beside it say how long something goes on.
     """
 
     text: str
@@ -65,13 +67,20 @@ class Scanned:
     cells: list[Cell]
     around: Surroundings = field(repr=False)
     hours: frozenset[int] = frozenset()
+    measured: bool = False
 
     @classmethod
     def of(
-        cls, text: str, grammar: Grammar, lexicon: Lexicon, *, hours: frozenset[int] = frozenset()
+        cls,
+        text: str,
+        grammar: Grammar,
+        lexicon: Lexicon,
+        *,
+        hours: frozenset[int] = frozenset(),
+        measured: bool = False,
     ) -> "Scanned":
         """Apply a grammar, which gets no more rules, to a text."""
-        return _scanned(text, grammar, lexicon, hours)
+        return _scanned(text, grammar, lexicon, hours, measured=measured)
 
     @property
     def lexicon(self) -> Lexicon:
@@ -84,14 +93,16 @@ class Scanned:
 
 
 @lru_cache(maxsize=REMEMBERED)
-def _scanned(text: str, grammar: Grammar, lexicon: Lexicon, hours: frozenset[int]) -> Scanned:
+def _scanned(
+    text: str, grammar: Grammar, lexicon: Lexicon, hours: frozenset[int], *, measured: bool
+) -> Scanned:
     typed = typed_apart(with_marks(_with_quotes(text, grammar, lexicon), hours))
-    words = as_meant(typed, lexicon)
+    words = tuple(with_units(as_meant(typed, lexicon), lexicon, measured=measured))
     around = Surroundings(words, lexicon)
     lexical = {
         start: [*numeral_pieces(words, start, lexicon), *around.pieces(start)] for start in range(len(words))
     }
-    return Scanned(text, words, grammar.parse(words, lexical), around, hours)
+    return Scanned(text, words, grammar.parse(words, lexical), around, hours, measured)
 
 
 def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:

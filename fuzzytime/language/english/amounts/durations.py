@@ -1,9 +1,11 @@
 """Lengths of time: "ten minutes", "an hour and a half", "1h30"."""
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import SMALLER, Integer, Typed
+from fuzzytime.language.grammar.understood.minutes_of_steps import MARKS
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Quantity, UnitWord
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Unit
@@ -12,6 +14,9 @@ grammar = Grammar()
 
 METRES = 100
 """From how many on "m" is hardly minutes: "turn left in 300 m"."""
+
+SEVERAL = 2
+"""Turns between which there is a rest."""
 
 YEARS = range(1800, 2100)
 """Numbers that an "s" makes a decade: "hits of the 1980s"."""
@@ -114,6 +119,27 @@ def times_as_long(number: Integer, duration: Duration) -> Duration | None:
     return replace(duration, terms=tuple((number.value * amount, unit) for amount, unit in duration.terms))
 
 
+RESTING = "rest|rests|break|breaks|pause|recovery|off|easy|slow|jog|walk|walking|jogging|standing"
+
+BETWEEN = f"a? <duration> {RESTING}"
+
+
+@grammar.rule(
+    "duration",
+    f"<integer> x|× <duration> hard|fast|on|work? with {BETWEEN}",
+    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} between",
+    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} in between",
+    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} between|after each|sets|them|reps",
+    weight=0.2,
+)
+def with_rests(number: Integer, work: Duration, rest: Duration) -> Duration | None:
+    """3 x 5 min with 2 min rest: all of it, with two rests."""
+    if number.value < SEVERAL or work.bare_end or rest.bare_end:
+        return None
+    seconds = number.value * work.seconds + (number.value - 1) * rest.seconds
+    return Duration(((seconds / 60, Unit.MINUTE),))
+
+
 @grammar.rule("duration", "<duration> more|longer|extra", weight=0.1)
 def more_of(duration: Duration) -> Duration | None:
     """A minute more, ten minutes longer."""
@@ -179,6 +205,18 @@ def milliseconds(number: Integer) -> Duration:
 def minutes_mark(number: Integer) -> Duration | None:
     """2'."""
     return Duration(((number.value, Unit.MINUTE),)) if number.digits else None
+
+
+def _of_step(unit: Unit) -> Callable[[Quantity], Duration]:
+    def of_step(number: Quantity) -> Duration:
+        """(simmer 20 min, rest) 5, (hold for 30 seconds, rest) 10, (wait 2 hours, paint, wait) 4."""
+        return Duration(((number.value, unit),), number.hedges, unsaid=True)
+
+    return of_step
+
+
+for _unit, _mark in MARKS.items():
+    grammar.rule("duration", f"<quantity> {_mark}")(_of_step(_unit))
 
 
 @grammar.rule("duration", '<integer> "')

@@ -155,7 +155,9 @@ class Lengths(Standing):
         ):
             # "Two hours coding, then lunch", "spend an hour cleaning", "take ten minutes to tidy up"
             return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
-        return follower in self.lexicon.lasting or self.around.may_end(piece)
+        # "3 x 5 min planks"
+        often = opens and "x" in self.texts[piece.start : piece.end] and follower.isalpha()
+        return often or follower in self.lexicon.lasting or self.around.may_end(piece)
 
     def _is_before_marker(self, place: int) -> bool:
         return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None

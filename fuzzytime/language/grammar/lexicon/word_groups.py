@@ -222,6 +222,9 @@ class BesideTimes(NamedTuple):
     as_long_as: Words
     behind_gone_on: Words
     behind_minutes: Words
+    behind_minutes_of_steps: Words
+    before_another_number: Words
+    ends_of_steps: Words
     minus: Words
     signs: Words
     repeating: Words

@@ -1,6 +1,6 @@
 """Numbers that lack their unit: "stirring every 10", "simmer for ten"; and what is for so many people."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -15,15 +15,6 @@ FEWEST_MINUTES = 10
 
 DEGREES_DIGITS = 3
 """Digits of a temperature, and of no hour."""
-
-ENTRY_ENDS = frozenset({",", ";", "\n", "."})
-"""Marks behind the entries of a list."""
-
-SHORTEST_LIST = 2
-"""Entries of a list at least."""
-
-LONGEST_ENTRY = 3
-"""Words at most before the number of an entry."""
 
 
 def lacks_unit(said: Said) -> bool:
@@ -70,8 +61,6 @@ def is_left_for(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) ->
 
     What comes next ends the order, or says what comes behind it.
     """
-    if is_timed_entry(texts, first, end, lexicon):
-        return True
     behind = texts[end] if end < len(texts) else ""
     return _is_let_rest(texts[:first], lexicon) and behind in (
         {"", "before"} | lexicon.beside.behind_minutes | lexicon.closed.adverbs_of_repetition
@@ -84,47 +73,6 @@ def _is_let_rest(before: Sequence[str], lexicon: Lexicon) -> bool:
     # "Keep the rest for four"
     rests = rests and lexicon.closed.noun_openers.isdisjoint(before[-2:-1])
     return rests and not lexicon.letting.isdisjoint(before[:-1])
-
-
-def is_timed_entry(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) -> bool:
-    """Whether a number alone ends an entry of a list of what goes on for minutes: "knead 10, rest 60"."""
-    if first == 0 or end - first != 1 or not texts[first].isdecimal():
-        return False
-    if end < len(texts) and texts[end] not in ENTRY_ENDS:
-        return False
-    entries = list(_entries(texts, lexicon))
-    numbered = [entry for entry in entries if entry[-1].isdecimal()]
-    # "Simmer 20 min, rest 5"
-    long = [entry for entry in entries if entry not in numbered and _ends_in_length(entry, lexicon)]
-    listed = len(numbered) + len(long) >= SHORTEST_LIST
-    return listed and all(_goes_on_for(entry, lexicon) for entry in numbered)
-
-
-def _entries(texts: Sequence[str], lexicon: Lexicon) -> Iterator[list[str]]:
-    """Give the entries of a list, without the words that join them."""
-    entry: list[str] = []
-    for text in (*texts, ","):
-        if text in ENTRY_ENDS:
-            if entry:
-                yield entry
-            entry = []
-        elif entry or text not in lexicon.closed.joints_of_instances:
-            entry.append(text)
-
-
-def _ends_in_length(entry: Sequence[str], lexicon: Lexicon) -> bool:
-    """Whether an entry ends in minutes or another unit, and begins with what takes them."""
-    if len(entry) < LONGEST_ENTRY or not entry[-2].isdecimal():
-        return False
-    return lexicon.means(entry[-1], "unit") and _goes_on_for(entry[:-1], lexicon)
-
-
-def _goes_on_for(entry: Sequence[str], lexicon: Lexicon) -> bool:
-    """Whether an entry is a verb for what takes minutes, and a number that is no temperature."""
-    *said, number = entry
-    timed = lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
-    short = 0 < len(said) <= LONGEST_ENTRY and len(number) < DEGREES_DIGITS
-    return short and said[0] in timed and not any(text.isdecimal() for text in said)
 
 
 def is_heated(before: Sequence[str], time: Time | Duration | Repeat) -> bool:

@@ -191,7 +191,7 @@ NAMES = (
 )  # fmt: skip
 """What a policy says: all of it."""
 
-STEPS = ("lines", "leaning", "same", "least", "timed")
+STEPS = ("lines", "leaning", "same", "least", "timed", "lasting")
 """What it says of lines that lean on each other."""
 
 

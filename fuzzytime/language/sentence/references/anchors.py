@@ -86,7 +86,7 @@ class Anchors:
         if about_it and last >= 0 and (clause.is_event or happens):
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
-        if clause.is_event and thing in self.lexicon.beside.the_end and self.mentions.told.lasting:
+        if clause.is_event and thing in self.lexicon.beside.the_end and self.said_to_last() is not None:
             # "Add the hops 15 minutes before the end"
             return self.going_on()
         whose = self._whose(clause)
@@ -116,7 +116,7 @@ class Anchors:
     def _is_done_soon(self, clause: Clause) -> bool:
         """Whether a distance counts back from the end of what goes on: "five minutes before it is ready"."""
         condition = clause.condition
-        counted = clause.kind in FIRST and clause.distance is not None and bool(self.mentions.told.lasting)
+        counted = clause.kind in FIRST and clause.distance is not None and self.said_to_last() is not None
         return (
             counted
             and condition is not None
@@ -288,8 +288,11 @@ class Anchors:
 
     def going_on(self) -> int:
         """Give the latest instruction that was said to go on for some time, or that right before."""
-        before = self.mentions.told.last_going_on(self.first)
-        return self.position - 1 if self.position > self.first or before is None else before
+        before = self.said_to_last()
+        said_here = before is not None and before >= self.first
+        return (
+            before if before is not None and (said_here or self.position == self.first) else self.position - 1
+        )
 
 
 def only_counted(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

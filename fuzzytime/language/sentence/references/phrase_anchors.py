@@ -273,8 +273,11 @@ def _in_the_end(
     unknown = target is None and named is None
     if length is None or unknown or requirement.constraint is Constraint.FOR:
         return requirement
-    lag = -length.seconds
-    anchor = Anchor(text=requirement.text, target=target, edge=Edge.END, lag=lag, exact=True)
+    lasted = None if target is None or named is not None else anchors.told.length(target)
+    # "Headstand 3 min", "lie down for the last ten": what is shorter is over, and this ends all.
+    inside = lasted is None or lasted > length.seconds
+    lag = -length.seconds if inside else 0.0
+    anchor = Anchor(text=requirement.text, target=target, edge=Edge.END, lag=lag, exact=inside)
     if requirement.recurrence is not None:
         return replace(requirement, anchor=anchor)
     return only_counted(requirement, anchor, Constraint.AFTER)

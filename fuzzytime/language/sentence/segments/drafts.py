@@ -11,6 +11,8 @@ from fuzzytime.language.grammar.typed_words import MARKS, spelt
 from fuzzytime.language.grammar.understood.denied import denied
 from fuzzytime.language.grammar.understood.filled import as_one
 from fuzzytime.language.grammar.understood.lists import closed_lists
+from fuzzytime.language.grammar.understood.minutes_of_steps import says_lengths
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, wall_of
 from fuzzytime.language.meaning.phrases import places_in
@@ -34,6 +36,7 @@ from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, ti
 from fuzzytime.language.sentence.segments.lists.unmarked import with_marks_between
 from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
 from fuzzytime.language.sentence.segments.rounds import parted
+from fuzzytime.language.sentence.segments.steps_apart import steps_apart
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
 from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other
 from fuzzytime.language.sentence.segments.told.asides_of_hours import asides_of_hours
@@ -153,8 +156,9 @@ def drafted(
     entries = [(text, with_joints(without_bullets(text), lexicon), now) for text, now in texts]
     listed = [without_marks(entry, list_marks(entry, lexicon)) for _, entry, _ in entries]
     timed = timed_lines(listed, lexicon) if together else [Timed.NO] * len(listed)
+    measured = together and any(says_lengths(words_of(entry), lexicon) for entry in listed)
     drafts = [
-        _without_parts(text, entry, now, how, grammar, lexicon)
+        _without_parts(text, entry, now, how, grammar, lexicon, measured=measured)
         for (text, entry, now), how in zip(entries, timed, strict=True)
     ]
     sources = [_source_of(draft) for draft in drafts]
@@ -176,18 +180,30 @@ def drafted(
 
 def _source_of(draft: Draft) -> Source:
     """Give what a draft is cut into parts by."""
-    apart = tuple(orders_beside(draft.scanned.text, draft.messages))
     lists = closed_lists(draft.phrases, draft.scanned.words, draft.lexicon)
     phrases = tuple(as_one(lists, draft.phrases, draft.scanned.words))
+    steps = dict(steps_apart(draft.scanned.words, phrases, draft.lexicon))
+    apart = (*orders_beside(draft.scanned.text, draft.messages), *steps)
+    meanwhile = tuple(start for start, beside in steps.items() if beside)
     further = tuple(times.further for times in lists)
-    source = Source(draft.now, draft.scanned, phrases, draft.remarks, apart=apart, further=further)
+    source = Source(
+        draft.now, draft.scanned, phrases, draft.remarks, apart=apart, meanwhile=meanwhile, further=further
+    )
     said = draft.scanned.words, source.covered, draft.lexicon
     openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases))
-    return replace(source, orders=tuple(order_words(*said)), openings=openings)
+    orders = tuple(order_words(*said))
+    return replace(source, orders=orders, openings=openings, meanwhile=meanwhile)
 
 
 def _without_parts(
-    text: str, entry: str, now: datetime | None, timed: Timed, grammar: Grammar, lexicon: Lexicon
+    text: str,
+    entry: str,
+    now: datetime | None,
+    timed: Timed,
+    grammar: Grammar,
+    lexicon: Lexicon,
+    *,
+    measured: bool,
 ) -> Draft:
     """Draft a text, which is an ``entry`` without its bullet, up to its parts, which need trees.
 
@@ -199,7 +215,7 @@ def _without_parts(
     hours, listed = hours_in(plain, lexicon, timed), timed >= Timed.MOST
     plain = without_joints(plain, hours, lexicon, listed=listed)
     plain = blanked(plain, leading_labels(plain, lexicon))
-    scanned = _in_entries(plain, hours, grammar, lexicon, listed=listed)
+    scanned = _in_entries(plain, hours, grammar, lexicon, listed=listed, measured=measured)
     messages, notes = messages_of(scanned), [*notes_of(scanned)]
     scanned = _again(scanned, blanked(scanned.text, (*notes, *(one.span for one in messages))), grammar)
     lengths = beside_each_other(asides_of(scanned), told_lengths(scanned))
@@ -226,17 +242,23 @@ def _without_parts(
 
 
 def _in_entries(
-    text: str, hours: frozenset[int], grammar: Grammar, lexicon: Lexicon, *, listed: bool
+    text: str,
+    hours: frozenset[int],
+    grammar: Grammar,
+    lexicon: Lexicon,
+    *,
+    listed: bool,
+    measured: bool,
 ) -> Scanned:
     """Scan a text with a stop between each two entries of a line; ``hours`` are marked as such."""
     marked = "".join(MARKS.get(c, c) if place in hours else c for place, c in enumerate(text))
     apart = divided(marked, grammar, lexicon, listed=listed)
     typed = "".join(text[place] if place in hours else c for place, c in enumerate(apart))
-    return Scanned.of(typed, grammar, lexicon, hours=hours)
+    return Scanned.of(typed, grammar, lexicon, hours=hours, measured=measured)
 
 
 def _again(scanned: Scanned, text: str, grammar: Grammar) -> Scanned:
     """Scan what a text became, where it is another."""
-    return (
-        scanned if text == scanned.text else Scanned.of(text, grammar, scanned.lexicon, hours=scanned.hours)
-    )
+    if text == scanned.text:
+        return scanned
+    return Scanned.of(text, grammar, scanned.lexicon, hours=scanned.hours, measured=scanned.measured)

@@ -1,10 +1,9 @@
-"""Orders that trees overlook because a time stands beside them: "fry it for a minute, flip, fry it again"."""
+"""Orders that trees overlook because a time stands beside them: "go to the gate, wait for ten seconds"."""
 
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -67,23 +66,6 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
         # "…, and at noon top up the oil"
         behind = tree.nodes[place + 2].lower
     return led and bare and (called or behind in closed.noun_openers | closed.object_pronouns)
-
-
-def stands_alone(tree: Tree, place: int) -> bool:
-    """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
-    closed = tree.lexicon.closed
-    node = tree.nodes[place]
-    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
-    # "Ribs in at 10:30, low and slow": how, and not what.
-    described = node.tag == "JJ" and any(tree.nodes[p].tag == "JJ" for p in tree.children(place, "conj"))
-    acts = node.may_act and node.lower == node.lemma and not described
-    bare = acts or node.lower in tree.lexicon.alone
-    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
-    return (
-        bare
-        and tree.nodes[place - 1].lower in closed.joints_of_orders
-        and (counted or behind in closed.joints_of_orders | ENDS)
-    )
 
 
 def is_done_alone(tree: Tree, first: int) -> bool:

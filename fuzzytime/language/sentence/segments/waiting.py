@@ -69,7 +69,7 @@ class Source:
 
     Of its ``phrases``, a list of times is one, and its ``further`` times are not heard: "let the dog out at
     eleven, three and again at seven". Its ``openings`` ask for something and say nothing of it: "at noon,
-    why don't you …".
+    why don't you …". What begins ``meanwhile`` is so while what is before it goes on.
     """
 
     now: datetime | None
@@ -78,6 +78,7 @@ class Source:
     remarks: tuple[Remark, ...]
     orders: tuple[tuple[Span, Order], ...] = ()
     apart: tuple[int, ...] = ()
+    meanwhile: tuple[int, ...] = ()
     openings: tuple[Span, ...] = ()
     further: tuple[Span, ...] = ()
 
@@ -218,10 +219,17 @@ class Waiting:
         yield Waiting(self.position, self.source, led, main)
 
     def cut_before(self, start: int) -> Iterator["Waiting"]:
-        """Give what stands before an order that nothing joins, and that order."""
+        """Give what stands before an order that nothing joins, and that order.
+
+        One that the source tells ``apart`` is an entry by itself.
+        """
         first, end = self.segment.span
         before = replace(self.segment, span=(first, self.end_before(start)))
-        for segment in (before, Segment((start, end), addressee=self.segment.addressee)):
+        behind = Segment((start, end), addressee=self.segment.addressee, entry=start in self.source.apart)
+        if start in self.source.meanwhile:
+            joint = before.span[1], before.span[1] + 1
+            behind = replace(behind, connective="meanwhile", connective_span=joint)
+        for segment in (before, behind):
             yield Waiting.of(self.position, self.source, segment)
 
     @property

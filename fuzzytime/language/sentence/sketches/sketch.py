@@ -20,7 +20,7 @@ from fuzzytime.language.sentence.trees.named import topic_of
 from fuzzytime.language.sentence.verbs.meant.actions import Action, action_of, says_how_things_are
 from fuzzytime.language.sentence.verbs.operations.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
-from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import due_by_then
+from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import due_by_then, so_alone
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import (
     given_new_time,
     happening_at,
@@ -256,6 +256,9 @@ def _happening(
     so = due_by_then(part.tree, due, moments, heard_now, listed=draft.listed)
     if so is not None and not part.segment.verbless:
         return so.moved(part.offset)
+    if not (timed or part.segment.verbless) and (draft.beside or part.segment.span[0] > 0):
+        so = so_alone(part.tree)
+        return None if so is None else so.moved(part.offset)
     if part.segment.verbless or not timed:
         return None
     named = None if clauses else named_moment(part.tree, phrases, part.offset)

@@ -6,7 +6,6 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_order_before_time,
     is_order_between_times,
-    stands_alone,
 )
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
@@ -33,7 +32,7 @@ def is_overlooked(tree: Tree, place: int, timed: set[int]) -> bool:
         or is_further_step(tree, place, timed)
         or is_order_before_time(tree, place, timed)
         or is_order_between_times(tree, place, timed)
-        or (place - 2 in timed and (stands_alone(tree, place) or _has_numbered(tree, place)))
+        or (place - 2 in timed and _has_numbered(tree, place))
     )
 
 

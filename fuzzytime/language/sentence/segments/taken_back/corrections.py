@@ -5,7 +5,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.understood.lent import is_timed_entry
+from fuzzytime.language.grammar.understood.minutes_of_steps import MARKS
 from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.calendar import is_weekday
 from fuzzytime.language.meaning.expressions import (
@@ -183,8 +183,7 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int]) -> Ph
 
 def _is_timed(scanned: Scanned, place: int) -> bool:
     """Whether a number is how many minutes are waited in a list: "stir 3, wait 10, stir 3"."""
-    texts = [word.text for word in scanned.words]
-    return is_timed_entry(texts, place, place + 1, scanned.lexicon)
+    return any(word.text in MARKS.values() for word in scanned.words[place + 1 : place + 2])
 
 
 def _are_weekdays(scanned: Scanned, place: int) -> bool:

@@ -61,6 +61,23 @@ def due_by_then(
     return Operation(verb="be", lemma="be", span=span, object=thing, place=said, due="must")
 
 
+def so_alone(tree: Tree) -> Operation | None:
+    """Give what a thing must be, or where, where nothing else is said: "lid on" behind "simmer 50 min"."""
+    lexicon = tree.lexicon
+    nodes = [node for node in tree.nodes if node.relation != "punct"]
+    things, state = nodes[nodes[:1] != [] and nodes[0].tag in DETERMINERS : -1], nodes[-1:]
+    states = lexicon.particles.keys() | lexicon.doing.opening_up
+    if not things or state[0].lower not in states or not all(n.tag in NAMING | PAST for n in things):
+        return None
+    first, known = things[0], _who_or_what_happens(lexicon)
+    if (first.may_act and first.lower == first.lemma) or not known.isdisjoint(n.lower for n in things):
+        # "Rinse off", "mum in"
+        return None
+    span = (state[0].start, state[0].end)
+    said = tree.typed(range(len(nodes) - 1))
+    return Operation(verb="be", lemma="be", span=span, object=said, place=state[0].text, due="must")
+
+
 def is_thing_so(tree: Tree, timed: Collection[int]) -> bool:
     """Whether a thing is named, and right before a time what is done with it: "garage door shut by nine"."""
     root, nodes = tree.root, tree.nodes
@@ -105,7 +122,7 @@ def _is_wished(nodes: Sequence[Node], state: int, lexicon: Lexicon) -> bool:
     closed = lexicon.closed
     if nodes[0].lower in closed.universal_pronouns | closed.universal_determiners:
         return True
-    known = lexicon.happening | lexicon.taken | lexicon.persons | lexicon.travelling | lexicon.moments
+    known = _who_or_what_happens(lexicon)
     things = [node for node in nodes[:state] if node.tag not in DETERMINERS]
     away = nodes[state].lower in lexicon.particles and nodes[state].tag not in PAST
     # "Oven on", "heating off", "porch light on"; but "stew on", "warm up"
@@ -114,6 +131,11 @@ def _is_wished(nodes: Sequence[Node], state: int, lexicon: Lexicon) -> bool:
     one = not behind and not (first.may_act and first.lower == first.lemma)
     named = last.tag in PLURALS or one
     return away and named and known.isdisjoint(node.lower for node in things)
+
+
+def _who_or_what_happens(lexicon: Lexicon) -> frozenset[str]:
+    """Give what is called by words that are told to be somewhere, or on, and not wished to be so."""
+    return lexicon.happening | lexicon.taken | lexicon.persons | lexicon.travelling
 
 
 def _is_done(node: Node, before: Node, lexicon: Lexicon, *, listed: bool) -> bool:
