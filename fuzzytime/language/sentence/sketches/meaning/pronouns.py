@@ -42,9 +42,14 @@ def resolved_object(
     own = [_what_is_given_to(one, lexicon, several=several) for one in own]
     before = (*reversed(own), *reversed(mentions.operations[:first]))
     undone = _undone(operation, before, several=several, lexicon=lexicon)
-    if undone is not None:
-        return undone
-    return _fitting(operation, own, mentions, first, several=several) or operation.object
+    thing = _fitting(operation, own, mentions, first, several=several) if undone is None else undone
+    return operation.object if thing is None else _inside(thing, lexicon)
+
+
+def _inside(thing: str, lexicon: Lexicon) -> str:
+    """Give a thing as it is named inside a sentence: "The wash finishes", "hang out the wash"."""
+    article, space, name = thing.partition(" ")
+    return f"{article.lower()}{space}{name}" if article.lower() in lexicon.closed.noun_openers else thing
 
 
 def _fitting(
@@ -192,7 +197,6 @@ def _resolved_person(
     person = near.person(len(own), called, several=several) or mentions.person(first, called, several=several)
     if person is None or (several and mentions.thing(first, several=True, strictly=True)):
         return None
-    article, _, name = person.partition(" ")
     # "The kids finish school at three. Give them a snack"
-    person = f"{article.lower()} {name}" if name and article.lower() in closed.noun_openers else person
+    person = _inside(person, mentions.lexicon)
     return f"{person} {rest}" if rest else person
