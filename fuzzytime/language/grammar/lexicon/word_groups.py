@@ -86,6 +86,7 @@ class ClosedClasses(NamedTuple):
     have_before_got: Words
     stative_verbs: Words
     future: Words
+    backshifted: Words
     requesting_modals: Words
     proposing_together: Words
     tentative_modals: Words
@@ -249,6 +250,7 @@ class BesideTimes(NamedTuple):
     there: Words
     whereabouts: Words
     away_from: Words
+    titles_of_lists: Words
     wishes: Words
     states: Words
     marking_order: Words
