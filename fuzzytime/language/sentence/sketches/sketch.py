@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Said
-from fuzzytime.language.meaning.phrases import is_at_clock
+from fuzzytime.language.meaning.phrases import is_at_clock, is_window
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.further.same_doers import are_joints, tells_more
@@ -254,7 +254,8 @@ def _happening(
     heard = [*places, *(place for clause in clauses for place in part.at(clause.span))]
     # "Mum in hospital until friday" is told, "kids in bed by eight" is due.
     until = all(p.said.preposition == "until" for p in phrases if p.said.constraint is Constraint.BEFORE)
-    there = person_there(part.tree, heard, moments) if timed and until else None
+    clocked = bool(moments) or any(map(is_window, phrases))
+    there = person_there(part.tree, heard, clocked=clocked) if timed and until else None
     told = frame_on_day(part.tree, places, phrases) or there
     if told is not None and not part.segment.verbless:
         return told.moved(part.offset)

@@ -1,6 +1,6 @@
 """What happens at a time, said without a verb: "dinner at seven", "team meeting from two to three"."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
@@ -173,15 +173,16 @@ def happening_at(root: int, tree: Tree, phrases: Sequence[Phrase], names: Places
     )
 
 
-def person_there(tree: Tree, timed: Sequence[int], moments: Collection[int]) -> Operation | None:
+def person_there(tree: Tree, timed: Sequence[int], *, clocked: bool) -> Operation | None:
     """Give who is somewhere, or is not, for a while: "Chris away friday", "mum in hospital till thursday".
 
-    At a moment, somewhere is where people are to be: "kids in bed at eight"; but "Jo back at six".
+    By the clock, somewhere is where people are to be, or what they do: "kids in bed at eight", "kids at judo
+    four to five"; but "Jo back at six".
     """
     lexicon, nodes = tree.lexicon, tree.nodes
     end, where = min(timed, default=len(nodes)), 1 + (nodes[0].tag in DETERMINERS)
     alone = all(p in timed or not nodes[p].text[0].isalnum() for p in range(end, len(nodes)))
-    if end <= where or not alone or (end > where + 1 and moments):
+    if end <= where or not alone or (end > where + 1 and clocked):
         return None
     known = calls_somebody(nodes[where - 1], lexicon)
     there = nodes[where].lower in lexicon.beside.states | lexicon.closed.adverbs_of_arrival
