@@ -233,3 +233,19 @@ def test_hours_behind_the_part_of_a_day_that_heads_them_are_of_its_day(title: st
 def test_an_hour_before_the_part_of_a_day_that_heads_it_is_early() -> None:
     ((up,), (boat,)) = _times("Friday morning", "up at 4.30", "boat at 6")
     assert [up.earliest, boat.earliest] == [2 * DAY - 4.5 * 3600, 2 * DAY - 3 * 3600]
+
+
+@pytest.mark.parametrize("title", ["jobs for saturday", "saturday jobs", "To-do list, Saturday"])
+def test_the_name_of_a_list_heads_lines_without_hours(title: str) -> None:
+    clean, told = _times(title, "clean the car", "Jess to do the bathroom")
+    assert [part.earliest for (part,) in (clean, told)] == [3 * DAY - 9 * 3600] * 2
+
+
+def test_a_list_that_is_to_be_made_heads_nothing() -> None:
+    assert len(_times("print the rota friday", "clean the car")) == len(("print", "clean"))
+
+
+def test_dates_of_lines_begin_with_the_day_where_one_surely_does() -> None:
+    eyes, scan = _times("9/3 eye clinic 10:20", "17/3 scan 9:30")
+    assert [part.grain for part in eyes] == [Unit.DAY, Unit.MINUTE]
+    assert [part.earliest for part in (eyes[1], scan[1])] == [5 * DAY + 80 * 60, 13 * DAY + 30 * 60]

@@ -237,7 +237,8 @@ def counts_nothing(words: Sequence[Word], place: int, lexicon: Lexicon, *, plura
 
 def has_time(text: str, lexicon: Lexicon) -> bool:
     """Whether a word names what has a time, or somebody that is met."""
-    known = (lexicon.persons, lexicon.animals, lexicon.events, lexicon.happening, lexicon.taken)
+    somebody = (lexicon.persons, lexicon.animals)
+    known = (*somebody, lexicon.events, lexicon.happening, lexicon.taken, lexicon.frames)
     return any(text in words for words in known)
 
 

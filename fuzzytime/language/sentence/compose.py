@@ -2,10 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from datetime import timedelta
 
 from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers.leftovers import leftovers
 from fuzzytime.language.instruction import Instruction, Operation, Question, Reading, Remark, Span
+from fuzzytime.language.meaning.grounded.chosen_clocks import NOON_TIME
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
@@ -149,6 +151,7 @@ class _Composer:
         then = sketch.part.segment.connective == "then"
         return replace(
             self.moment,
+            since=self._settled_behind(sketches, place) or self.moment.since,
             listed=place > 0 and sketch.part is sketches[place - 1].part,
             follows=then or follows_night(sketches, place),
             due=due_of(self.draft.text, sketches[:place], sketch, instructions, self.moment),
@@ -157,6 +160,18 @@ class _Composer:
             onto=follows_on(sketches, place, self.draft.text) or (then and place > 0),
             past=sketch.past,
         )
+
+    def _settled_behind(self, sketches: Sequence[Sketch], place: int) -> float | None:
+        """Give when an order of a morning behind what is told is: "the bus goes at ten, wake me at eight"."""
+        told, order = (next(iter(sketches[p : p + 1]), None) for p in (place, place + 1))
+        if order is None or told is None or not order.asks or told.operation is None or told.asks:
+            return None
+        both = [at_usual_hours(self.moment, one, self.draft.text) for one in (told, order)]
+        if not self.usual or [one.usual for one in both] != [False, True] or self.draft.now is None:
+            return None
+        clock = last_said(ground_all(order.phrases, self.draft.text, both[1]).requirements, NOTHING).clock
+        early = clock and (self.draft.now + timedelta(seconds=clock)).time() < NOON_TIME
+        return clock if early else None
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
         """Point at what no operation and no time holds, where nothing else is said of it."""

@@ -120,6 +120,13 @@ def one_of_these(part: Part) -> Wall | None:
     return Wall(Stretch(SOON, Unit.DAY), part) if not part.is_point else None
 
 
+@grammar.rule("said", "on? one|some <part>", weight=1.0)
+def one_evening(part: Part) -> Said | None:
+    """One evening: of the next days; "one night" is how long, and "(ring at) one afternoon" an hour."""
+    wall = None if part.name == "night" else one_of_these(part)
+    return None if wall is None else Said(wall)
+
+
 @grammar.rule("wall", "all weekend long?", "throughout the? weekend", weight=0.5)
 def all_weekend() -> Wall:
     """All weekend."""

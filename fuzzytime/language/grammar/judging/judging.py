@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.judging.lengths import Lengths
 from fuzzytime.language.grammar.judging.ranges import Ranges
 from fuzzytime.language.grammar.judging.repeats import Repeats
 from fuzzytime.language.grammar.judging.walls.bare_hours import QUARTERS
-from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS_ALONE, heads_list
+from fuzzytime.language.grammar.judging.walls.dated_entries import HALF, HEADS_ALONE, ends_entry, heads_list
 from fuzzytime.language.grammar.judging.walls.walls import Walls
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.compared import NEAR
@@ -99,7 +99,8 @@ class Judge(Around):
     def _goes_on(self, piece: Piece) -> bool:
         """Whether it goes on with a length, or heads a list: "for 20 minutes, then another ten", "AM: …"."""
         if piece.rule in HEADS_ALONE:
-            return heads_list(self.words, piece.start, piece.end)
+            ends = piece.rule == HALF and ends_entry(self.words, piece.start, piece.end, self.lexicon)
+            return ends or heads_list(self.words, piece.start, piece.end)
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         # "Fry it for ten minutes, …, cook another five"
         goes_on = self.lexicon.doing.resting | self.lexicon.timing

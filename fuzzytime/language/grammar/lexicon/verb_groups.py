@@ -86,6 +86,7 @@ class Doing(NamedTuple):
     several_timed: Words
     saying: Words
     passing_on: Words
+    foretelling: Words
     foretold: Words
     closing_up: Words
     closing_there: Words

@@ -88,6 +88,7 @@ class ClosedClasses(NamedTuple):
     around: Words
     do_support: Words
     future: Words
+    backshifted: Words
     requesting_modals: Words
     proposing_together: Words
     tentative_modals: Words
@@ -254,6 +255,7 @@ class BesideTimes(NamedTuple):
     there: Words
     whereabouts: Words
     away_from: Words
+    titles_of_lists: Words
     wishes: Words
     states: Words
     marking_order: Words

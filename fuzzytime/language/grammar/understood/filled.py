@@ -10,7 +10,8 @@ from functools import partial
 from fuzzytime.language.grammar.understood.crossed import crossed, first_of, is_listed
 from fuzzytime.language.grammar.understood.lists import TimeList
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields, is_day_of_month
+from fuzzytime.language.meaning.calendar import Fields, is_day_of_month, is_weekday
+from fuzzytime.language.meaning.days.nested import Within
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -129,8 +130,19 @@ def _with_part_of(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phra
 
 
 def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
-    """Give days of a list the month, and the year, of the last of them: "on the 5th, 6th or 9th of may"."""
+    """Give days of a list the month, and the year, of the last of them: "on the 5th, 6th or 9th of may".
+
+    So is the week of the last that of all: "mon, wed and fri next week".
+    """
     last = phrases[-1].said.wall.days
+    if isinstance(last, Within) and is_weekday(last.inner):
+        given = ((phrase, phrase.said.wall) for phrase in phrases)
+        return [
+            phrase.at(replace(wall, days=replace(last, inner=wall.days)))
+            if wall.days is not None and is_weekday(wall.days)
+            else phrase
+            for phrase, wall in given
+        ]
     if not isinstance(last, Fields) or last.day is None or last.month is None:
         return list(phrases)
     found = []

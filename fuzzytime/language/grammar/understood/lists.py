@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import is_weekday
+from fuzzytime.language.meaning.days.nested import Within
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
 from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.requirement import BOUNDS, Constraint
@@ -59,7 +60,7 @@ def lists_of(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon)
         group, joints = _joined(phrases[place:], words, lexicon)
         either = not joints.isdisjoint(lexicon.closed.alternatives)
         named = either or bool(joints & lexicon.closed.additions - {","})
-        if len(group) > 1 and (named or _are_several(group)):
+        if len(group) > 1 and (named or _are_several(group) or _are_two_days(group, words, lexicon)):
             yield TimeList(tuple(group), either)
         place += len(group)
 
@@ -75,6 +76,14 @@ def _are_several(group: Sequence[Phrase]) -> bool:
     # "Friday at nine, saturday at ten", "at ten, at sunset", "twice in the morning, once at night"
     alike = all(map(_is_whole, group)) or all(map(_is_at, group))
     return several or alike or any(map(_is_counted, group))
+
+
+def _are_two_days(group: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether they are two weekdays that end what is said: "gym tue thu", "home tues, thurs next week"."""
+    behind = [word.text for word in words[group[-1].end : group[-1].end + 1]]
+    ends = lexicon.closed.end_of_an_order | {",", ")"} >= {*behind}
+    typed = all(_is_weekday(one) and one.said.preposition is None for one in group)
+    return typed and ends and group[0].first > 0 and not any(one.said.wall.is_timed for one in group)
 
 
 def _joined(
@@ -167,8 +176,9 @@ def _is_counted(phrase: Phrase) -> bool:
 
 
 def _is_weekday(phrase: Phrase) -> bool:
-    """Whether it is a day of the week, with or without a time of day."""
-    return is_weekday(phrase.said.wall.days)
+    """Whether it is a day of the week, with or without a time of day, or which week it is of."""
+    days = phrase.said.wall.days
+    return is_weekday(days.inner if isinstance(days, Within) else days)
 
 
 def _is_clock(phrase: Phrase) -> bool:

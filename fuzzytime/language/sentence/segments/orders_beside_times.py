@@ -124,5 +124,6 @@ def is_numbered(tree: Tree) -> bool:
 def asks_for_deed(words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words begin with a verb that asks for something done, or say what is to be: "lights off"."""
     asked = lexicon.orders | lexicon.dosing | lexicon.doing.errands | lexicon.doing.finding
+    asked |= lexicon.doing.leaving | lexicon.doing.setting
     states = [word.text for word in words if word.is_letters][1:] == ["off"]
     return len(words) >= LEAST_ORDER and (states or (words[0].text in asked and not words[1].is_digits))

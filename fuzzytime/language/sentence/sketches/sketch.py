@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Said
-from fuzzytime.language.meaning.phrases import is_at_clock
+from fuzzytime.language.meaning.phrases import is_at_clock, is_window
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.further.same_doers import are_joints, tells_more
@@ -22,10 +22,12 @@ from fuzzytime.language.sentence.verbs.operations.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
 from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import due_by_then, so_alone
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import (
+    frame_on_day,
     given_new_time,
     happening_at,
     happens,
     meal_alone,
+    person_there,
 )
 from fuzzytime.language.sentence.verbs.without_verbs.named_alone import put_there
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import chores_at, deed_at, named_moment
@@ -250,6 +252,13 @@ def _happening(
     at_once = [p for p in phrases if p.said.preposition == "at" or is_at_clock(p)]
     moments = {place for p in at_once for place in part.at(p.span)}
     heard = [*places, *(place for clause in clauses for place in part.at(clause.span))]
+    # "Mum in hospital until friday" is told, "kids in bed by eight" is due.
+    until = all(p.said.preposition == "until" for p in phrases if p.said.constraint is Constraint.BEFORE)
+    clocked = bool(moments) or any(map(is_window, phrases))
+    there = person_there(part.tree, heard, clocked=clocked) if timed and until else None
+    told = frame_on_day(part.tree, places, phrases) or there
+    if told is not None and not part.segment.verbless:
+        return told.moved(part.offset)
     # "Dog walked this morning" may be news.
     news = {place for p in phrases for place in part.at(p.span) if p.said.is_day} - due - moments
     heard_now = [place for place in heard if place not in news]

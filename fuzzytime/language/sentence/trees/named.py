@@ -12,6 +12,9 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree
 TOPIC = "dislocated"
 """The relation of what is named in front to what is done with it."""
 
+SAID_BY = "said by"
+"""The relation of who says what will be to that."""
+
 
 def topic_of(tree: Tree) -> str | None:
     """Give what is named in front of a time, and done with behind that; None where nothing is."""
@@ -30,6 +33,13 @@ def names_person(thing: str, lexicon: Lexicon) -> bool:
     # "Next dose is at ten"
     capital = capital and words[0] not in closed.general_ordinals
     return capital or not (lexicon.persons | lexicon.animals).isdisjoint(words)
+
+
+def calls_somebody(node: Node, lexicon: Lexicon) -> bool:
+    """Whether a word is for somebody, or a name: no known word, or none that is done, with its capital."""
+    known = node.lower in lexicon.people and node.lower not in lexicon.closed.subject_pronouns
+    capital = node.text[0].isupper() and not node.may_act
+    return known or (capital and (node.tag == "NNP" or not node.may_name))
 
 
 def may_be_it(operation: Operation, lexicon: Lexicon) -> bool:

@@ -7,6 +7,9 @@ from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.meaning.expressions import Duration, Offset, Wall
 
+ENDS_OF_DAYS = frozenset({"first thing", "last thing"})
+"""What the first and the last of a day mean, behind which no preposition is needed."""
+
 HOURS = 12
 """Numbers up to it may be hours."""
 
@@ -78,8 +81,12 @@ class Particles(Around):
 
     def _stands_before_preposition(self, piece: Piece) -> bool:
         """Whether "in" has the time's preposition behind it: "let nobody in during the afternoon"."""
-        in_front = self.texts[piece.start] == "in" and not isinstance(piece.value.time, Duration)
-        return in_front and self.texts[piece.start + 1] in self.beside.behind_particles
+        if self.texts[piece.start] != "in" or isinstance(piece.value.time, Duration):
+            return False
+        # "Let the cat in last thing"
+        things = {said.category for said in self.around.pieces(piece.start + 1)}
+        led = piece.start > 0 and not things.isdisjoint(ENDS_OF_DAYS)
+        return led or self.texts[piece.start + 1] in self.beside.behind_particles
 
     def _stands_apart(self, piece: Piece) -> bool:
         """Whether a distance from something has it before it: "put the roast in | two hours before lunch"."""

@@ -161,10 +161,15 @@ class BareHours(Standing):
         return any(word in begins or self._happens(word) for word in said)
 
     def _is_hour_of(self, piece: Piece) -> bool:
-        """Whether a number is the hour of what happens: "curfew is 11", "closing time is 6"."""
+        """Whether a number is the hour of what happens: "curfew is 11", "they shut 6", "(opens 9)"."""
         clock = piece.value.time.clock if isinstance(piece.value.time, Wall) else None
         hour = clock is not None and clock.grain is Unit.HOUR and not clock.full_day
-        return hour and self._is_told(piece) and self._happens(self.texts[piece.start - 2])
+        place = piece.start - (self.around.before(piece) == "(")
+        begins = self.lexicon.doing.hours | self.lexicon.doing.surely_timed
+        opens = place > 0 and self.texts[place - 1] in begins and self._ends_order(piece)
+        # "Close 2" is an order.
+        opens = opens and (place > 1 or self.texts[place - 1].endswith("s"))
+        return hour and (opens or (self._is_told(piece) and self._happens(self.texts[piece.start - 2])))
 
     def _happens(self, word: str) -> bool:
         """Whether a word names what has a time: "curfew", "meeting"."""

@@ -15,7 +15,10 @@ from fuzzytime.language.meaning.expressions import Phrase, Wall
 LINE_STARTS = frozenset({";", "\n", "-", "*", "]", "•"})
 """Marks that an entry stands behind."""
 
-HEADS_ALONE = frozenset({"parts.half_alone", "nights_and_weekends.weekend_alone"})
+HALF = "parts.half_alone"
+"""The rule of "am" and "pm" without an hour."""
+
+HEADS_ALONE = frozenset({HALF, "nights_and_weekends.weekend_alone"})
 """The rules of what is a time only as the head of a list: "AM: post, bank", "weekend: mow the lawn"."""
 
 ENDS = frozenset({".", "!"})
@@ -39,6 +42,16 @@ def heads_list(words: Sequence[Word], start: int, end: int) -> bool:
     begins = not start or words[start - 1].text in LINE_STARTS | STOPS
     behind = [word.text for word in words[end : end + 1]]
     return begins and behind == [":"] and end + 1 < len(words)
+
+
+def ends_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether a half of the day stands behind what is done then: "gym am, shops pm"; but "I am"."""
+    joints = lexicon.closed.joints_of_orders
+    halved = [word.text in lexicon.beside.of_hours for word in words[max(0, start - 2) : max(0, start - 1)]]
+    # "Walk the dog am & pm"
+    place = start - (3 if halved == [True] and words[start - 1].text in joints else 1)
+    named = place >= 0 and words[place].is_letters and words[place].text not in lexicon.function_words
+    return named and all(word.text in LINE_STARTS | STOPS | joints for word in words[end : end + 1])
 
 
 def is_activity_in_part(piece: Piece, around: Surroundings) -> bool:

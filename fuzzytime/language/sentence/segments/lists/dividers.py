@@ -148,17 +148,24 @@ def _divide(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
 
 
 def _adds_order(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether one mark stands between what is at a time, and an order without: "9.30 tea - bring mugs"."""
+    """Whether one mark stands between what is at a time, and an order: "9.30 tea - bring mugs".
+
+    The order may have its time: "2pm dentist - leave at 1:30".
+    """
     if len(items) != PAIR or not asks_for_deed(words_of(items[1]), lexicon):
         return False
     first, second = (Entry.of(item, grammar, lexicon) for item in items)
-    return bool(first.times and first.begins and first.named) and not second.times
+    apart = not second.times or (second.clocked and second.opens)
+    # "Gym at 6 - pack bag"; but "call mum at six - ask about sunday"
+    named = first.begins or (first.ends and not asks_for_deed(first.words, lexicon))
+    return bool(first.times and first.named) and named and apart
 
 
 def _head_entries(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether commas stand between entries headed by days: "mon: gym, tue: swim", "mon gym, tue swim".
 
-    Without a colon, each names one thing: what is done with several, on a day each, may be said once.
+    So do parts of a day: "evening walk, lunchtime yoga". Without a colon, each names one thing: what is done
+    with several, on a day each, may be said once.
     """
     entries = []
     for item in items:
@@ -171,7 +178,8 @@ def _head_entries(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> b
         else:
             words = words_of(item)
             alone = len(words) == DAY_AND_THING and all(word.is_letters for word in words)
-            if not alone or not names_day(words[0], lexicon) or names_day(words[1], lexicon):
+            days = [lexicon.means(word.text, "weekday", "day", "part", "meal") for word in words]
+            if not alone or days != [True, False]:
                 return False
             entries.append(False)
     return all(entries) or not any(entries)

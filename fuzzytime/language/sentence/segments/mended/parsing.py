@@ -26,6 +26,10 @@ from fuzzytime.language.sentence.segments.mended.mended_trees import (
 )
 from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed, with_owner
 from fuzzytime.language.sentence.segments.mended.places_in_front import with_places_in_front
+from fuzzytime.language.sentence.segments.mended.said_to_be import (
+    with_doer_in_front,
+    with_what_is_said,
+)
 from fuzzytime.language.sentence.segments.mended.topics import with_topic
 from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.waiting import Waiting
@@ -91,7 +95,7 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     if not tree.nodes:
         return tree
     tree, timed = as_somewhere(tree), one.timed(tree)
-    tree = with_topic(tree, timed)
+    tree = with_topic(with_what_is_said(with_doer_in_front(tree)), timed)
     tree = with_joined(as_thing(tree, timed), timed)
     tree = with_thing_before_time(with_her(with_bare_thing(with_whole_things(tree), timed), timed), timed)
     tree = with_purpose(with_aim(tree, timed))

@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Cycle
-from fuzzytime.language.meaning.expressions import Edge, Phrase, Repeat, Said
+from fuzzytime.language.meaning.expressions import Edge, Phrase, Range, Repeat, Said
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told.asides import OPENING, Aside
 from fuzzytime.requirement import MOMENTS, Constraint
@@ -30,7 +30,8 @@ def asides_of_hours(scanned: Scanned) -> tuple[Aside, ...]:
     doing, phrases = scanned.lexicon.doing, phrases_of(scanned)
     found = [_of_end(scanned.words, first, phrase, scanned.lexicon) for first, phrase in pairwise(phrases)]
     found += [_of_days(scanned.words, phrase, scanned.lexicon) for phrase in phrases]
-    if not (doing.hours | doing.moments | doing.going_on).isdisjoint(word.text for word in scanned.words):
+    known = doing.hours | doing.moments | doing.going_on | scanned.lexicon.standing
+    if not known.isdisjoint(word.text for word in scanned.words):
         found += [_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases]
     return tuple(sorted((aside for aside in found if aside is not None), key=lambda aside: aside.span))
 
@@ -52,11 +53,18 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
     doing = lexicon.doing
     verb, behind = phrase.first - 1, phrase.end
     lasts = phrase.said.preposition == "until" and verb > 0 and words[verb].text in doing.going_on
-    if lasts and words[verb - 1].text in OPENING:
-        # A parcel is collected from where it is "(open till six)".
-        end = behind + (words[verb - 1].text == "(")
+    opens = opening_before(words, verb, OPENING, NAME) if lasts else verb
+    if lasts and (words[opens].text == "(" or words[verb - 1].text in OPENING):
+        # A parcel is collected from where it is "(open till six)", or a bank called: "(lines open till 4)".
+        end = behind + (words[opens].text == "(")
         bound = replace(bounding(phrase, closing=True), rule=HOURS)
-        return Aside((words[verb - 1].start, words[end - 1].end), bound, bounds=True)
+        return Aside((words[opens].start, words[end - 1].end), bound, bounds=True)
+    shut = verb > 0 and words[verb].text in lexicon.standing and words[verb - 1].text in OPENING
+    if shut and isinstance(phrase.said.time, Range):
+        # "Collect the suit (closed 1 to 2)": not then.
+        end = behind + (words[verb - 1].text == "(")
+        kept_off = replace(phrase, said=replace(phrase.said, denied=True), rule=HOURS)
+        return Aside((words[verb - 1].start, words[end - 1].end), kept_off, bounds=True)
     if verb < 1 or phrase.said.constraint not in MOMENTS:
         return None
     if words[verb].text not in doing.hours:

@@ -53,7 +53,7 @@ def under_heading(sketch: Sketch, heading: Heading) -> Sketch:
         _tells_when(phrase) or _is_on_another_day(phrase, heading) for phrase in sketch.phrases
     ):
         return sketch
-    if operation.stated and not sketch.times:
+    if operation.stated and sketch.phrases and not sketch.times:
         # "It takes an hour"
         return sketch
     if sketch.part.segment.connective not in JOINED and not sketch.phrases:

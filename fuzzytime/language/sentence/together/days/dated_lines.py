@@ -1,5 +1,9 @@
-"""Lines that begin with a day, above others with the hours of that day: "Fri 6 - Lisbon", "Sat: show day"."""
+"""Lines that begin with a day, above others with the hours of that day: "Fri 6 - Lisbon", "Sat: show day".
 
+Where one typed date begins with the day, all do: "9/3 eye clinic", "17/3 scan".
+"""
+
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from datetime import timedelta
@@ -16,6 +20,9 @@ from fuzzytime.language.sentence.together.days.titles import (
     names_day,
 )
 
+DAY_FIRST = re.compile(r"(?<![\d/])(?:1[3-9]|2\d|3[01])/(?:0?[1-9]|1[0-2])(?![\d/])")
+"""A date that begins with the day, as no month is so high."""
+
 AHEAD = 14
 """Days within which a number behind a weekday is its date: "Fri 6"."""
 
@@ -28,6 +35,8 @@ def with_dates(drafts: Sequence[Draft]) -> list[Draft]:
 
     So it is on that date, above lines with the hours of that day, or where another line begins so.
     """
+    if any(DAY_FIRST.search(draft.text) for draft in drafts):
+        drafts = [replace(one, phrases=tuple(map(_with_day_first, one.phrases))) for one in drafts]
     dated = [_dated(draft) for draft in drafts]
     several = sum(one is not None for one in dated) > 1
     return [
@@ -36,6 +45,16 @@ def with_dates(drafts: Sequence[Draft]) -> list[Draft]:
         else draft
         for place, (draft, date) in enumerate(zip(drafts, dated, strict=True))
     ]
+
+
+def _with_day_first(phrase: Phrase) -> Phrase:
+    """Give a date of two numbers that may change places the first as its day."""
+    wall = phrase.said.time
+    days = wall.days if isinstance(wall, Wall) else None
+    turns = isinstance(days, Fields) and days.turnable and days.weekday is None
+    if not (isinstance(wall, Wall) and isinstance(days, Fields) and turns):
+        return phrase
+    return phrase.at(replace(wall, days=replace(days, month=days.day, day=days.month, turnable=False)))
 
 
 def _dated(draft: Draft) -> Phrase | None:

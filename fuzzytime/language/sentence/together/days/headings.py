@@ -47,7 +47,7 @@ def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     drafts = with_dates(drafts)
     headings = [_heading_of(draft, heads=heads_lines(drafts, place)) for place, draft in enumerate(drafts)]
     if headings and headings[0] is None:
-        headings[0] = title_of(drafts)
+        headings[0] = title_of(drafts) or (_list_of(drafts[0]) if len(drafts) > 1 else None)
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
@@ -155,6 +155,19 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
         # "Sunday lunch" is one.
         return None
     return Heading(name_of(draft), draft.text, draft.scanned, held(draft, phrases), clauses)
+
+
+def _list_of(first: Draft) -> Heading | None:
+    """Give what a line names as a list, with its day: "jobs for thursday", "closing down list"."""
+    timed = places_in(first.phrases)
+    beside = (word for place, word in enumerate(first.scanned.words) if place not in timed)
+    words = [word.text for word in beside if word.is_letters]
+    named = [word for word in words if word not in first.lexicon.function_words]
+    days = all(phrase.said.is_day and is_of_calendar(phrase) for phrase in first.phrases)
+    if not days or len(words) > LONGEST or begins_order(first):
+        return None
+    is_list = named[-1:] and named[-1] in first.lexicon.beside.titles_of_lists
+    return Heading(name_of(first), first.text, first.scanned, held(first, first.phrases)) if is_list else None
 
 
 def _is_over(heading: Heading, hours: Sequence[Clock], latest: int) -> bool:

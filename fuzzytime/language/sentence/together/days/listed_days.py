@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.expressions import Repeat
+from fuzzytime.language.sentence.references.meals import names_meal
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch, are_steps
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import is_typed
@@ -67,11 +68,21 @@ def things_alone(sketches: Sequence[Sketch], draft: Draft, apart: str, *, headed
         ways, nodes = sketch.lexicon.closed.ways, sketch.part.tree.nodes
         # "Gym on the way home"; but "in the way"
         placed = bool(orders) or any(node.lower in ways and nodes[0].tag != "IN" for node in nodes)
-        named = sketch.operation is None and (listed or chained or placed or sketch.heard)
+        named = sketch.operation is None and (listed or chained or placed or sketch.heard or _is_had(sketch))
         # "The half" at 18:25, "me out" from four to five
         entry = draft.listed and any(map(is_typed, sketch.phrases))
         found.append(_to_be_done(sketch, orders, chained=chained, entry=entry) if named else sketch)
     return found
+
+
+def _is_had(sketch: Sketch) -> bool:
+    """Whether it is a meal with where, with whom or how late it is: "lunch in town"; but "packed lunch"."""
+    tree, root, beside = sketch.part.tree, sketch.part.tree.root, sketch.lexicon.beside
+    meal = tree.nodes[root].lower if tree.nodes else ""
+    behind, before = tree.said(range(root + 1, len(tree.nodes))[:1]), tree.said(range(root))
+    placed = bool(behind) and behind <= beside.whereabouts | {"with"}
+    had = placed or (not behind and bool(before) and before <= beside.how_late)
+    return had and meal in sketch.lexicon.happening and names_meal(meal, sketch.lexicon)
 
 
 def _is_named(sketch: Sketch) -> bool:

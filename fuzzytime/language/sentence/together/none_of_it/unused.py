@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, is_quoted, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.trees.named import SAID_BY
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.meant.actions import passes_on
@@ -99,7 +100,7 @@ def _names(node: Node) -> bool:
 def _reasons(tree: Tree) -> frozenset[int]:
     """Give the words that only say why, or what for: "… because Ann comes", "… so we can cook the fish".
 
-    So does who passes an order on: "the school asked us to be there".
+    So does who passes an order on, or says what will be: "the school asked us to be there".
     """
     closed, nodes = tree.lexicon.closed, tree.nodes
     whose = [p for verb in range(len(nodes)) if passes_on(tree, verb) for p in tree.children(verb, *SUBJECTS)]
@@ -111,6 +112,7 @@ def _reasons(tree: Tree) -> frozenset[int]:
         )
         marks += [place] if aims and place and place < node.head != tree.root else []
     led = (nodes[p].head for p in marks if nodes[p].relation in {"mark", "advmod"})
+    whose += [place for place, node in enumerate(nodes) if node.relation == SAID_BY]
     return frozenset(place for top in (*led, *whose) for place in (top, *tree.below(top)))
 
 

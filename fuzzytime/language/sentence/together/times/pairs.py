@@ -99,6 +99,11 @@ def follows_on(sketches: Sequence[Sketch], place: int, text: str) -> bool:
     if first.operation.stated and not first.times:
         # "Guests at seven and the roast needs two hours, so put it in at half four"
         return False
+    asked, tree = second.operation, second.part.tree
+    named = asked.verb != asked.lemma or (bool(tree.nodes) and tree.nodes[tree.root].tag.startswith("NN"))
+    if not asked.stated and asked.name == asked.verb and named:
+        # "Washing at eight, bins by ten": what is only named is a thing of its own.
+        return False
     return _goes_on(first.operation, second.operation, first.lexicon)
 
 

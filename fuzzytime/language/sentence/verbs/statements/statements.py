@@ -2,6 +2,7 @@
 
 from collections.abc import Set as AbstractSet
 
+from fuzzytime.language.sentence.trees.named import calls_somebody
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, PRESENT, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.statements.beside_orders import (
@@ -240,6 +241,8 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str]) -> bool:
     called = {subjects[0].lower, *(tree.nodes[p].lower for p in tree.below(verb) if p < verb)}
     persons = lexicon.persons | (closed.third_person - {"it"})
     named = bool((persons - closed.persons_addressed) & called)
+    # "Kai will collect the cake at three"
+    named = named or (bool(helping) and calls_somebody(subjects[0], lexicon))
     # "Don't water it at noon, it burns the leaves"; but "it takes an hour"
     it = subjects[0].lower == "it" and tree.children(verb, "dobj") and node.lemma not in lexicon.doing.taking
     if not helping and node.tag == "VBZ" and (subjects[0].tag in {"NN", "NNP"} or it):

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.phrases import is_at_clock, is_window
-from fuzzytime.language.sentence.trees.named import names_one
+from fuzzytime.language.sentence.trees.named import calls_somebody, names_one
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SINGULAR, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.places import Places
@@ -18,6 +18,7 @@ DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg",
 """What hangs on a verb, and on no noun."""
 
 NAMES = ("NN", "VBG", "CD")
+PLACING = ("JJ", "DT", "PRP$", "POS", "IN")
 NOUN_TAGS = frozenset({"NN", "NNS"})
 
 
@@ -29,8 +30,6 @@ def happens(tree: Tree, phrases: Sequence[Phrase]) -> bool:
     """
     lexicon = tree.lexicon
     root = tree.root
-    if _is_frame(tree, phrases):
-        return True
     if not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
     if _opens_order(tree):
@@ -75,11 +74,18 @@ def _opens_order(tree: Tree) -> bool:
     return tree.root == 0 and any(node.tag in {"DT", "PRP$"} for node in behind)
 
 
-def _is_frame(tree: Tree, phrases: Sequence[Phrase]) -> bool:
-    """Whether one word alone names what goes on from when to when: "shift 14-22"; but "harvest 9-12"."""
-    names = tree.lexicon.frames - tree.lexicon.chores - tree.lexicon.alone
-    alone = tree.root == 0 and not tree.children(0, *DOING, "prep", "det")
-    return alone and tree.nodes[0].lower in names and len(phrases) == 1 and is_window(phrases[0])
+def frame_on_day(tree: Tree, timed: Sequence[int], phrases: Sequence[Phrase]) -> Operation | None:
+    """Give what one word names that goes on from when to when: "shift 14-22", "Mon early 7-3"."""
+    words = [node for p, node in enumerate(tree.nodes) if p not in timed and node.text[0].isalnum()]
+    windows = [phrase for phrase in phrases if is_window(phrase)]
+    days = [phrase for phrase in phrases if phrase.said.is_day]
+    if len(words) != 1 or not windows or len(windows) + len(days) != len(phrases):
+        return None
+    (node,) = words
+    if node.lower not in tree.lexicon.frames - tree.lexicon.chores - tree.lexicon.alone:
+        return None
+    span = (node.start, node.end)
+    return Operation(verb=node.lower, lemma="be", span=span, object=node.text, stated=True)
 
 
 def _is_somebodys(tree: Tree, root: int) -> bool:
@@ -167,6 +173,27 @@ def happening_at(root: int, tree: Tree, phrases: Sequence[Phrase], names: Places
     )
 
 
+def person_there(tree: Tree, timed: Sequence[int], *, clocked: bool) -> Operation | None:
+    """Give who is somewhere, or is not, for a while: "Chris away friday", "mum in hospital till thursday".
+
+    By the clock, somewhere is where people are to be, or what they do: "kids in bed at eight", "kids at judo
+    four to five"; but "Jo back at six".
+    """
+    lexicon, nodes = tree.lexicon, tree.nodes
+    end, where = min(timed, default=len(nodes)), 1 + (nodes[0].tag in DETERMINERS)
+    alone = all(p in timed or not nodes[p].text[0].isalnum() for p in range(end, len(nodes)))
+    if end <= where or not alone or (end > where + 1 and clocked):
+        return None
+    known = calls_somebody(nodes[where - 1], lexicon)
+    there = nodes[where].lower in lexicon.beside.states | lexicon.closed.adverbs_of_arrival
+    named = all(node.tag.startswith((*NAMES, *PLACING)) for node in nodes[where + 1 : end])
+    if not (known and there and named):
+        return None
+    name, place = tree.typed(range(where)), tree.typed(range(where, end))
+    span = (nodes[where].start, nodes[end - 1].end)
+    return Operation(verb="is", lemma="be", span=span, object=name, place=place, stated=True)
+
+
 def meal_alone(text: str, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
     """Give the meal that a line among others is all about, whose hours are its time: "sunday lunch"."""
     if len(phrases) != 1 or phrases[0].said.preposition is not None:
@@ -178,11 +205,16 @@ def meal_alone(text: str, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operat
 
 
 def given_new_time(tree: Tree, phrases: Sequence[Phrase], names: Places) -> Operation | None:
-    """Give what happens at the time that it was moved to: "the dentist has been moved to four"."""
+    """Give what happens at the time that it was moved to: "the dentist has been moved to four".
+
+    What others have moved does: "they've moved my appointment to four".
+    """
     moved = (tree.nodes[tree.root].lower,) in tree.lexicon.conversation["rescheduled"]
     if not moved or not any(phrase.said.preposition == "to" for phrase in phrases):
         return None
     subjects = [p for p in tree.children(tree.root, *SUBJECTS) if tree.nodes[p].tag.startswith("NN")]
+    if tree.said(tree.children(tree.root, *SUBJECTS)) & tree.lexicon.closed.third_person:
+        subjects = [p for p in tree.children(tree.root, "dobj") if tree.nodes[p].tag.startswith("NN")]
     return happening_at(subjects[0], tree, phrases, names) if subjects else None
 
 

@@ -65,7 +65,7 @@ def _said(tree: Tree, heard: Collection[int]) -> list[int]:
     for place, node in enumerate(tree.nodes):
         if said and node.text in MARKS:
             break
-        if place not in heard and node.text[0].isalnum():
+        if place not in heard and (node.text[0].isalnum() or node.tag == "POS"):
             said.append(place)
     return said
 
