@@ -189,7 +189,7 @@ _ROWS = {
     ),
     "asides": (
         "naming", "back", "helping", "taking", "whom", "preparing", "needing", "needed", "due",
-        "being needed", "not needed", "having to be", "unable", "unable to",
+        "being needed", "not needed", "being there", "having to be", "unable", "unable to",
     ),
     "spacing": ("leading", "beside", "nouns", "turns"),
     "instances": ("first", "further"),

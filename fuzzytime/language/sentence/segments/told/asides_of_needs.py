@@ -28,6 +28,7 @@ def asides_of_needs(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text that say by when something is needed, or can be done, in order."""
     told = scanned.lexicon.asides
     known = told["needing"] | told["needed"] | told["due"] | told["having to be"] | told["unable"]
+    known |= told["being there"]
     if known.isdisjoint(word.text for word in scanned.words):
         return ()
     found = (_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases_of(scanned))
@@ -49,6 +50,8 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
     if needed and constraint in ({Constraint.BEFORE} if later else {Constraint.BEFORE, *MOMENTS}):
         # What is "due on friday", or "not needed until friday", may be done on it.
         told = due_by(phrase) if later or due else bounding(phrase, closing=True)
+    elif constraint in {Constraint.AFTER, *MOMENTS} and _is_ready(said, words[:opening], lexicon):
+        told = bounding(phrase, closing=False)
     elif constraint in BOUNDS and _is_unable(said, lexicon):
         told = bounding(phrase, closing=constraint is Constraint.AFTER)
     else:
@@ -72,6 +75,16 @@ def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
         return (told["being needed"] | told["not needed"]).issuperset(helping)
     made = so in lexicon.results and helping[-1] == "be" and len(helping) > 1
     return made and told["having to be"].issuperset(helping)
+
+
+def _is_ready(said: Sequence[str], order: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words say from when on there is what is fetched: "pick up the cake, it's ready from three"."""
+    thing, *helping = [part for word in said for part in word.split(APOSTROPHE)] or [""]
+    if thing not in lexicon.closed.anaphors or len(helping) < 2:
+        return False
+    being = lexicon.asides["being needed"] | lexicon.asides["helping"]
+    fetched = not lexicon.doing.meeting.isdisjoint(word.text for word in order)
+    return fetched and helping[-1] in lexicon.asides["being there"] and being.issuperset(helping[:-1])
 
 
 def _is_later(said: Sequence[str], lexicon: Lexicon) -> bool:

@@ -21,9 +21,9 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Bound orders without a time by when it is told beside them that somewhere opens or closes.
 
     What is asked for behind that is an errand: "the office closes at five, lock up" is done later. So is
-    whatever has to be done once somewhere is open.
+    whatever has to be done once somewhere is open. What only says when "they" are open is nothing by itself.
     """
-    found = list(sketches)
+    found, taken = list(sketches), set[int]()
     for place, sketch in enumerate(found):
         before = place - 1
         bound = _bound_of(sketch) or (_hours_of(found[before], sketch) if place else None)
@@ -33,6 +33,7 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
         if before >= 0 and _is_unbound(found[before]) and _is_beside(found[before], sketch, text):
             if closing or is_errand(found[before]) or _is_of_that(sketch):
                 found[before] = found[before].under([bound])
+                taken |= {place} if _is_of_that(sketch) else set()
             continue
         behind = place + 1
         # "The shop opens at nine and closes at five, buy milk"
@@ -42,7 +43,7 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             continue
         if _is_beside(found[behind - 1], found[behind], text) and is_errand(found[behind]):
             found[behind] = found[behind].under([bound])
-    return found
+    return [sketch for place, sketch in enumerate(found) if place not in taken]
 
 
 def _bound_of(sketch: Sketch) -> Phrase | None:
@@ -85,7 +86,11 @@ def _is_unbound(sketch: Sketch, *, opened: bool = False) -> bool:
 
 def _is_of_that(sketch: Sketch) -> bool:
     """Whether it is told of what the order before it names: "ring the dentist, they open at nine"."""
-    return sketch.operation is not None and sketch.operation.object in PRONOUNS
+    tree, closed = sketch.part.tree, sketch.lexicon.closed
+    said = {tree.nodes[place].lower for place in tree.children(tree.root, "nsubj")}
+    # "They're open till five" is named by what they are.
+    called = bool(said) and said <= closed.anaphors
+    return sketch.operation is not None and (called or sketch.operation.object in PRONOUNS)
 
 
 def is_errand(sketch: Sketch) -> bool:
