@@ -203,6 +203,13 @@ def times(number: Integer) -> int | None:
     return number.value if 0 < number.value <= 1000 else None
 
 
+@grammar.rule("times", "<integer>|<times> or|to|- <times>", weight=0.4)
+def about_so_many_times(least: Integer | int, most: int) -> int | None:
+    """Two or three times, 2-3 times, once or twice: as often as it may be."""
+    fewer = least if isinstance(least, int) else least.value
+    return most if 0 < fewer < most else None
+
+
 @grammar.rule("repeat", "<few> a|an|per <unit>", weight=0.1)
 @grammar.rule("repeat", "<times> a|an|per|every|each|/ <unit>", "<times> daily", weight=0.6)
 def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:

@@ -41,6 +41,9 @@ STOPS = frozenset({"", ".", "!", ";"})
 ENDING = {"then": STOPS, "in between": STOPS | {",", "and"}}
 """Time words that end what is said, and what may stand behind: but "put it in between the pages"."""
 
+ENTRY = 3
+"""Words of ", school gym", behind which "after" ends an entry of a list."""
+
 LONGEST_CASE = 3
 """Words of "unless it rains", behind which no order may stand."""
 
@@ -164,6 +167,10 @@ class Judge(Around):
         joined = behind[:1] == ["and"] and behind != ["and", "after"]
         # "…, muck out straight after, and let them out"
         joined = joined or (behind[:1] == [","] and behind[1:] in (["and"], ["then"], ["but"]))
+        # "Work 9-5, gym after, dinner at 8"
+        joined = joined or (
+            behind[:1] == [","] and "," in self.texts[max(0, piece.start - ENTRY) : piece.start]
+        )
         ends = joined or self.around.follower(piece) in {"", ".", "!", ";"}
         return piece.start > 0 and not looks and apart and ends
 

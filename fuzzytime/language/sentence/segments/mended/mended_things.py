@@ -66,6 +66,9 @@ def _with_people(tree: Tree) -> Tree:
             nodes[place] = replace(node, tag="NNP", relation="conj", head=place - 2)
             nodes[place - 1] = replace(nodes[place - 1], head=place - 2)
             nodes[node.head] = replace(nodes[node.head], relation="prep", head=nodes[place - 2].head)
+        if node.tag == "JJR" and node.lower in tree.lexicon.persons and _is_led(tree, place):
+            # "Cleaner at ten"
+            nodes[place] = replace(node, tag="NN", lemma=node.lower)
         if node.lower in tree.lexicon.people and (node.tag in DESCRIBING or node.relation in BESIDE):
             # "Pick up bob at the station"
             verb = place - 1 - (nodes[place - 1].tag == "RP")
@@ -78,6 +81,13 @@ def _with_people(tree: Tree) -> Tree:
                 nodes[place] = replace(node, tag="NNP", relation="dobj")
                 nodes[place - 1] = replace(nodes[place - 1], relation="compound", head=place)
     return tree if nodes == list(tree.nodes) else tree.with_nodes(nodes)
+
+
+def _is_led(tree: Tree, place: int) -> bool:
+    """Whether a word is the first, or stands behind an article, and no other is named by it."""
+    behind = tree.nodes[place + 1 : place + 2]
+    named = any(node.tag.startswith(("NN", "JJ")) for node in behind)
+    return not named and (place == 0 or tree.nodes[place - 1].tag in DETERMINERS)
 
 
 def _with_title(tree: Tree) -> Tree:
