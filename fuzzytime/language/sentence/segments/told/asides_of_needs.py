@@ -28,7 +28,7 @@ def asides_of_needs(scanned: Scanned) -> tuple[Aside, ...]:
     """Give the asides of a text that say by when something is needed, or can be done, in order."""
     told = scanned.lexicon.asides
     known = told["needing"] | told["needed"] | told["due"] | told["having to be"] | told["unable"]
-    known |= told["being there"]
+    known |= told["being there"] | {"for"}
     if known.isdisjoint(word.text for word in scanned.words):
         return ()
     found = (_aside(scanned.words, phrase, scanned.lexicon) for phrase in phrases_of(scanned))
@@ -45,7 +45,10 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
     if words[opening].text not in marks or not (over and asks):
         return None
     said = [word.text for word in words[opening + 1 : phrase.first]]
-    constraint, needed = phrase.said.constraint, _is_needed(said, lexicon)
+    constraint, needed = (
+        phrase.said.constraint,
+        _is_needed(said, lexicon) or _is_for_it(said, phrase, lexicon),
+    )
     later, due = _is_later(said, lexicon), not lexicon.asides["due"].isdisjoint(said)
     if needed and constraint in ({Constraint.BEFORE} if later else {Constraint.BEFORE, *MOMENTS}):
         # What is "due on friday", or "not needed until friday", may be done on it.
@@ -75,6 +78,13 @@ def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
         return (told["being needed"] | told["not needed"]).issuperset(helping)
     made = so in lexicon.results and helping[-1] == "be" and len(helping) > 1
     return made and told["having to be"].issuperset(helping)
+
+
+def _is_for_it(said: Sequence[str], phrase: Phrase, lexicon: Lexicon) -> bool:
+    """Whether words say when "it" is for: "buy a cake, it's for friday"."""
+    thing, *helping = [part for word in said for part in word.split(APOSTROPHE)] or [""]
+    is_so = bool(helping) and lexicon.asides["being needed"].issuperset(helping)
+    return phrase.said.preposition == "for" and thing in lexicon.closed.anaphors and is_so
 
 
 def _is_ready(said: Sequence[str], order: Sequence[Word], lexicon: Lexicon) -> bool:
