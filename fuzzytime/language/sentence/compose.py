@@ -163,11 +163,13 @@ class _Composer:
 
     def _settled_behind(self, sketches: Sequence[Sketch], place: int) -> float | None:
         """Give when an order of a morning behind what is told is: "the bus goes at ten, wake me at eight"."""
-        told, order = (next(iter(sketches[p : p + 1]), None) for p in (place, place + 1))
-        if order is None or told is None or not order.asks or told.operation is None or told.asks:
+        if not self.usual or self.draft.now is None or place + 1 >= len(sketches):
+            return None
+        told, order = sketches[place : place + 2]
+        if not order.asks or told.operation is None or told.asks:
             return None
         both = [at_usual_hours(self.moment, one, self.draft.text) for one in (told, order)]
-        if not self.usual or [one.usual for one in both] != [False, True] or self.draft.now is None:
+        if [one.usual for one in both] != [False, True]:
             return None
         clock = last_said(ground_all(order.phrases, self.draft.text, both[1]).requirements, NOTHING).clock
         early = clock and (self.draft.now + timedelta(seconds=clock)).time() < NOON_TIME

@@ -18,6 +18,14 @@ METRES = 100
 SEVERAL = 2
 """Turns between which there is a rest."""
 
+TURNS = "<integer> x|× <duration> hard|fast|on|work?"
+"""How often, and for how long, something is done."""
+
+BETWEEN = (
+    "a? <duration> rest|rests|break|breaks|pause|recovery|off|easy|slow|jog|walk|walking|jogging|standing"
+)
+"""How long nothing, or less, is done between the turns."""
+
 YEARS = range(1800, 2100)
 """Numbers that an "s" makes a decade: "hits of the 1980s"."""
 
@@ -119,17 +127,11 @@ def times_as_long(number: Integer, duration: Duration) -> Duration | None:
     return replace(duration, terms=tuple((number.value * amount, unit) for amount, unit in duration.terms))
 
 
-RESTING = "rest|rests|break|breaks|pause|recovery|off|easy|slow|jog|walk|walking|jogging|standing"
-
-BETWEEN = f"a? <duration> {RESTING}"
-
-
 @grammar.rule(
     "duration",
-    f"<integer> x|× <duration> hard|fast|on|work? with {BETWEEN}",
-    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} between",
-    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} in between",
-    f"<integer> x|× <duration> hard|fast|on|work? with|, {BETWEEN} between|after each|sets|them|reps",
+    f"{TURNS} with {BETWEEN}",
+    f"{TURNS} with|, {BETWEEN} in? between",
+    f"{TURNS} with|, {BETWEEN} between|after each|sets|them|reps",
     weight=0.2,
 )
 def with_rests(number: Integer, work: Duration, rest: Duration) -> Duration | None:
@@ -137,7 +139,7 @@ def with_rests(number: Integer, work: Duration, rest: Duration) -> Duration | No
     if number.value < SEVERAL or work.bare_end or rest.bare_end:
         return None
     seconds = number.value * work.seconds + (number.value - 1) * rest.seconds
-    return Duration(((seconds / 60, Unit.MINUTE),))
+    return Duration(((seconds / UNIT_SECONDS[Unit.MINUTE], Unit.MINUTE),))
 
 
 @grammar.rule("duration", "<duration> more|longer|extra", weight=0.1)

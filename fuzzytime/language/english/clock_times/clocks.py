@@ -114,10 +114,8 @@ def typed(numbers: Typed) -> Clock | None:
 @grammar.rule("clock", "<hh.mm> hours|hrs", weight=0.4)
 def dotted_with_hours(numbers: Typed) -> Clock | None:
     """18.00 hrs, 08.30 hours: of the whole day; "1.50 hours", and "10.50 hours", are lengths."""
-    whole = typed(numbers)
-    return (
-        whole if whole is not None and whole.full_day and 2 * len(numbers.parts[0]) == FULL_DIGITS else None
-    )
+    whole = typed(numbers) if 2 * len(numbers.parts[0]) == FULL_DIGITS else None
+    return whole if whole is not None and whole.full_day else None
 
 
 @grammar.rule("clock", "<hh:mm:ss>", weight=0.1)

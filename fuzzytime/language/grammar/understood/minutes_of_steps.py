@@ -7,6 +7,7 @@ on for seconds alone they are seconds: "hold it for 30 seconds, rest 10 between"
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.understood.lent import DEGREES_DIGITS
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.language.meaning.instants import SUB_DAY
@@ -23,9 +24,6 @@ SHORTEST_LIST = 2
 
 LONGEST_STEP = 3
 """Words at most before the number of a step."""
-
-DEGREES_DIGITS = 3
-"""Digits of a temperature, and of no hour."""
 
 
 def says_lengths(words: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -56,14 +54,15 @@ def _units(words: Sequence[Word], lexicon: Lexicon, *, measured: bool) -> Iterat
     listed = len(numbered) >= SHORTEST_LIST and all(
         numbers[place] and words[place].is_digits for place in numbered
     )
-    if not (measured or listed or says_lengths(words, lexicon)):
+    lasting = [place for place in numbered if numbers[place]]
+    if not lasting or not (measured or listed or says_lengths(words, lexicon)):
         return
-    for place in (place for place in numbered if numbers[place]):
+    for place in lasting:
         verb = words[begins[place]].text
-        before = [unit for at in range(1, place) if (unit := _unit_at(words, at, lexicon)) is not None]
+        before = {_unit_at(words, at, lexicon) for at in range(1, place)} - {None}
         # "Wait 2 hours, paint, wait 4"
         own = (_unit_at(words, at + 2, lexicon) for at in range(place - 2) if words[at].text == verb)
-        unit = Unit.SECOND if set(before) == {Unit.SECOND} else Unit.MINUTE
+        unit = Unit.SECOND if before == {Unit.SECOND} else Unit.MINUTE
         yield place, MARKS[next((unit for unit in own if unit is not None), unit)]
 
 
@@ -103,10 +102,11 @@ def _goes_on_for(step: Sequence[Word], lexicon: Lexicon) -> bool:
     verb, before = said[0], said[-1]
     # "Warm up 5"
     settles = verb in lexicon.doing.settling and before in {verb, *lexicon.particles}
-    timed = verb in lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
-    called = lexicon.called_by_number | lexicon.function_words - lexicon.beside.before_another_number
-    named = len(said) == 1 or settles or before not in called
-    return timed and named and len(said) <= LONGEST_STEP and not any(_counts(text, lexicon) for text in said)
+    timed = any(verb in words for words in (lexicon.timing, lexicon.timing_alone, lexicon.doing.settling))
+    if not timed or len(said) > LONGEST_STEP or any(_counts(text, lexicon) for text in said):
+        return False
+    joins = before in lexicon.function_words and before not in lexicon.beside.before_another_number
+    return len(said) == 1 or settles or not (joins or before in lexicon.called_by_number)
 
 
 def _is_long(number: str) -> bool:

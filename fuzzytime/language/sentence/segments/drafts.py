@@ -192,7 +192,7 @@ def _source_of(draft: Draft) -> Source:
     said = draft.scanned.words, source.covered, draft.lexicon
     openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases))
     orders = tuple(order_words(*said))
-    return replace(source, orders=orders, openings=openings, meanwhile=meanwhile)
+    return replace(source, orders=orders, openings=openings)
 
 
 def _without_parts(

@@ -77,8 +77,9 @@ class _Said:
         """Whether a word at a place asks for something by itself: "leave it 10 min, | scrub, …"."""
         lexicon, text = self.lexicon, self.texts[begin]
         # "Can it wait till six, sorry?"
-        no_steps = lexicon.function_words | lexicon.numbers.keys() | lexicon.addresses
-        no_step = text in no_steps or (text,) in lexicon.courtesies or self.texts[-1] == "?"
+        known = (lexicon.function_words, lexicon.numbers, lexicon.addresses)
+        no_step = any(text in words for words in known) or (text,) in lexicon.courtesies
+        no_step = no_step or self.texts[-1] == "?"
         says_how = is_participle(text) or text.endswith(("ed", "ly")) or not text.isalpha()
         # "Boil eggs for six minutes, beans for ten"
         return not (no_step or says_how or begin + 1 in self.times) and self._ends(begin + 1)

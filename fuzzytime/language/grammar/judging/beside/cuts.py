@@ -1,5 +1,6 @@
 """Whether a reading is cut out of a larger word, number or stretch: "twenty-year-old", "650-555-0100"."""
 
+from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.words import joins
@@ -180,9 +181,9 @@ class Cuts(Standing):
         if follower == "thing" and self.texts[piece.end - 1] == "first":
             # "On the 20th first | thing"
             return True
-        time, unit = piece.value.time, self.texts[piece.end - 1]
+        time = piece.value.time
         several = isinstance(time, Duration) and time.terms[0][0] > 1 and self.around.is_unit(piece.end - 1)
-        if several and not unit.endswith("s") and named and follower.endswith("s"):
+        if several and named and looks_plural(follower) and not looks_plural(self.texts[piece.end - 1]):
             # "Study in 25 minute | blocks"; but "in an hour guests arrive"
             return not self.around.timely(piece.end) and follower not in self.lexicon.orders
         counted = self.texts[piece.end - 1] == "second" and self.words[piece.end - 2].is_digits

@@ -18,7 +18,7 @@ def with_last_noun(tree: Tree) -> Tree:
             continue
         node = tree.nodes[place]
         done = (node.is_verb or node.relation == "aux") and not node.may_act and not tree.children(place)
-        if node.head != tree.root or not (done or _names_how(tree, place)):
+        if node.head != tree.root or not (done or _hangs_like_how(tree, place)):
             continue
         named = tree.hung((p for p in tree.children(thing) if p < thing), place)
         named = named.hung((p for p in tree.children(place) if p > place), tree.root)
@@ -27,7 +27,7 @@ def with_last_noun(tree: Tree) -> Tree:
     return tree
 
 
-def _names_how(tree: Tree, place: int) -> bool:
+def _hangs_like_how(tree: Tree, place: int) -> bool:
     """Whether a noun hangs on a verb like a word that says how, and says neither where nor when."""
     node, lexicon = tree.nodes[place], tree.lexicon
     known = node.lower in lexicon.entries or node.lower in lexicon.places or node.lower in lexicon.particles

@@ -45,10 +45,8 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
     if words[opening].text not in marks or not (over and asks):
         return None
     said = [word.text for word in words[opening + 1 : phrase.first]]
-    constraint, needed = (
-        phrase.said.constraint,
-        _is_needed(said, lexicon) or _is_for_it(said, phrase, lexicon),
-    )
+    constraint = phrase.said.constraint
+    needed = _is_needed(said, lexicon) or _is_for_it(said, phrase, lexicon)
     later, due = _is_later(said, lexicon), not lexicon.asides["due"].isdisjoint(said)
     if needed and constraint in ({Constraint.BEFORE} if later else {Constraint.BEFORE, *MOMENTS}):
         # What is "due on friday", or "not needed until friday", may be done on it.
@@ -67,13 +65,12 @@ def _aside(words: Sequence[Word], phrase: Phrase, lexicon: Lexicon) -> Aside | N
 
 def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether words say that "it" is needed, or has to be so: "it's needed", "it isn't due"."""
-    told, things = lexicon.asides, lexicon.closed.anaphors
-    if not told["needing"].isdisjoint(said[-2:-1]) and said[-1] in things:
+    told = lexicon.asides
+    if not told["needing"].isdisjoint(said[-2:-1]) and said[-1] in lexicon.closed.anaphors:
         return True
-    thing, *helping = [part for word in said for part in word.split(APOSTROPHE)] or [""]
-    if len(helping) < 2 or thing not in things:
+    *helping, so = _of_it(said, lexicon) or [""]
+    if not helping:
         return False
-    *helping, so = helping
     if so in told["needed"] | told["due"]:
         return (told["being needed"] | told["not needed"]).issuperset(helping)
     made = so in lexicon.results and helping[-1] == "be" and len(helping) > 1
@@ -82,19 +79,24 @@ def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
 
 def _is_for_it(said: Sequence[str], phrase: Phrase, lexicon: Lexicon) -> bool:
     """Whether words say when "it" is for: "buy a cake, it's for friday"."""
-    thing, *helping = [part for word in said for part in word.split(APOSTROPHE)] or [""]
+    helping = _of_it(said, lexicon)
     is_so = bool(helping) and lexicon.asides["being needed"].issuperset(helping)
-    return phrase.said.preposition == "for" and thing in lexicon.closed.anaphors and is_so
+    return phrase.said.preposition == "for" and is_so
 
 
 def _is_ready(said: Sequence[str], order: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words say from when on there is what is fetched: "pick up the cake, it's ready from three"."""
-    thing, *helping = [part for word in said for part in word.split(APOSTROPHE)] or [""]
-    if thing not in lexicon.closed.anaphors or len(helping) < 2:
-        return False
+    *helping, so = _of_it(said, lexicon) or [""]
     being = lexicon.asides["being needed"] | lexicon.asides["helping"]
     fetched = not lexicon.doing.meeting.isdisjoint(word.text for word in order)
-    return fetched and helping[-1] in lexicon.asides["being there"] and being.issuperset(helping[:-1])
+    there = bool(helping) and so in lexicon.asides["being there"]
+    return fetched and there and being.issuperset(helping)
+
+
+def _of_it(said: Sequence[str], lexicon: Lexicon) -> list[str]:
+    """Give what is said of "it", or "them", as an apostrophe cuts it: "it's due", "they aren't needed"."""
+    thing, *words = [part for word in said for part in word.split(APOSTROPHE)] or [""]
+    return words if thing in lexicon.closed.anaphors else []
 
 
 def _is_later(said: Sequence[str], lexicon: Lexicon) -> bool:

@@ -26,15 +26,14 @@ def notes_of(scanned: Scanned) -> Iterator[Span]:
     The brackets begin with an order, and have no time.
     """
     yield from _bracketed(scanned)
-    words = scanned.words
-    places = [p for p in range(1, len(words) - 1) if words[p].text == ","]
+    words, ends = scanned.words, ENDS | {","}
+    places = [p for p in range(1, len(words) - 1) if [words[p].text, words[p + 1].text] == [",", NO]]
+    phrases = phrases_of(scanned) if places else []
     for place in places:
         corrected = longest_match(words, place + 1, scanned.lexicon.corrections)
-        if words[place + 1].text != NO or (corrected and len(corrected) > 1):
+        if corrected and len(corrected) > 1:
             # "At six, no wait, at seven"
             continue
-        phrases = phrases_of(scanned)
-        ends = ENDS | {","}
         end = next((p for p in range(place + 1, len(words)) if words[p].text in ends), len(words))
         inside, span = words[place + 1 : end], (words[place + 1].start, words[end - 1].end)
         behind = any(phrase.end == place for phrase in phrases)

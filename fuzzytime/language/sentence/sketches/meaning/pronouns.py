@@ -24,10 +24,12 @@ def resolved_object(
     Neither stands for a person: in "call mum, then wash it", it is something else.
     """
     lexicon, pronouns = mentions.lexicon, mentions.lexicon.closed
-    person = _resolved_person(operation, own, mentions, first)
+    pronoun, _, rest = (operation.object or "").partition(" ")
+    several = pronoun.lower() in pronouns.plural_anaphors
+    given_to = [_what_is_given_to(one, lexicon, several=several) for one in own]
+    person = _resolved_person(operation, given_to if several else own, mentions, first)
     if person is not None:
         return person
-    pronoun, _, rest = (operation.object or "").partition(" ")
     given = rest and rest.split()[0] in pronouns.prepositions_of_recipients
     if given and pronoun.lower() in pronouns.anaphors:
         # "Print the plans and send them to her"
@@ -38,11 +40,9 @@ def resolved_object(
     if operation.lemma in lexicon.addressing and operation.object.lower() in pronouns.plural_person:
         # "Tell them when to stop"
         return operation.object
-    several = operation.object.lower() in pronouns.plural_anaphors
-    own = [_what_is_given_to(one, lexicon, several=several) for one in own]
-    before = (*reversed(own), *reversed(mentions.operations[:first]))
+    before = (*reversed(given_to), *reversed(mentions.operations[:first]))
     undone = _undone(operation, before, several=several, lexicon=lexicon)
-    thing = _fitting(operation, own, mentions, first, several=several) if undone is None else undone
+    thing = _fitting(operation, given_to, mentions, first, several=several) if undone is None else undone
     return operation.object if thing is None else _inside(thing, lexicon)
 
 
@@ -190,7 +190,7 @@ def _resolved_person(
     several = pronoun.lower() in closed.plural_anaphors
     near = Mentions(mentions.lexicon)
     for earlier in own:
-        near.add(_what_is_given_to(earlier, mentions.lexicon, several=True) if several else earlier)
+        near.add(earlier)
     if several and near.thing(len(own), several=True, strictly=True):
         return None
     called = pronoun.lower()

@@ -123,6 +123,8 @@ def _elapsed_or_so(sketch: Sketch, text: str) -> Sketch:
     "Stop it when it is full or after an hour" is in an hour, and not whenever later.
     """
     states, heard = _states(sketch), list(pairwise(sorted(sketch.heard)))
+    if not states:
+        return sketch
     beside = {pair for pair in heard if states & {*pair} and _is_or(sketch, *pair, text)}
     spans = {span for pair in beside for span in pair}
     over = {

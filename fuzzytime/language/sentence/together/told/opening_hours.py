@@ -13,10 +13,6 @@ BESIDE = frozenset({"", ",", "-", "–", ";", ":", "so", ", so", "; so", ", and 
 """What stands between an order and what is told of where it is done."""
 
 
-PRONOUNS = frozenset({None, "it", "they"})
-"""What is told of in other words than its own, if in any."""
-
-
 def within_opening_hours(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Bound orders without a time by when it is told beside them that somewhere opens or closes.
 
@@ -31,9 +27,10 @@ def within_opening_hours(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             continue
         closing = bound.said.constraint is not Constraint.AFTER
         if before >= 0 and _is_unbound(found[before]) and _is_beside(found[before], sketch, text):
-            if closing or is_errand(found[before]) or _is_of_that(sketch):
+            of_that = _is_of_that(sketch)
+            if closing or is_errand(found[before]) or of_that:
                 found[before] = found[before].under([bound])
-                taken |= {place} if _is_of_that(sketch) else set()
+                taken |= {place} if of_that else set()
             continue
         behind = place + 1
         # "The shop opens at nine and closes at five, buy milk"
@@ -86,11 +83,12 @@ def _is_unbound(sketch: Sketch, *, opened: bool = False) -> bool:
 
 def _is_of_that(sketch: Sketch) -> bool:
     """Whether it is told of what the order before it names: "ring the dentist, they open at nine"."""
-    tree, closed = sketch.part.tree, sketch.lexicon.closed
-    said = {tree.nodes[place].lower for place in tree.children(tree.root, "nsubj")}
+    tree, anaphors = sketch.part.tree, sketch.lexicon.closed.anaphors
     # "They're open till five" is named by what they are.
-    called = bool(said) and said <= closed.anaphors
-    return sketch.operation is not None and (called or sketch.operation.object in PRONOUNS)
+    said = {tree.nodes[place].lower for place in tree.children(tree.root, "nsubj")}
+    return sketch.operation is not None and (
+        sketch.operation.object is None or (bool(said) and said <= anaphors)
+    )
 
 
 def is_errand(sketch: Sketch) -> bool:

@@ -244,6 +244,8 @@ class Stated(Places):
     def _comes_later(self, verb: int, helping: set[str]) -> bool:
         """Whether something is said not to happen until a time: "the guests aren't due till eight"."""
         closed, nodes = self.lexicon.closed, self.tree.nodes
+        if helping.isdisjoint(closed.negators):
+            return False
         subjects = [nodes[p].lower for p in self.tree.children(verb, "nsubj")]
         until = any(
             self.timed(p) and self.lexicon.clauses.get((nodes[p].lower,)) == "until"
@@ -252,7 +254,7 @@ class Stated(Places):
         happens = helping - closed.negators <= closed.present_be | closed.future | closed.do_support
         asked = self.tree.children(verb, "dobj", "xcomp", "auxpass") or nodes[verb].tag == "VBN"
         told = bool(subjects) and subjects[0] not in closed.subject_pronouns
-        return told and until and bool(helping & closed.negators) and happens and not asked
+        return told and until and happens and not asked
 
     def _done_to(self, verb: int, helping: set[str]) -> list[int]:
         """Give what something is done to, or must become: of "the guests arrive at six" nothing."""
