@@ -13,6 +13,7 @@ from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
+from fuzzytime.language.sentence.references.phrase_anchors import is_day_before
 from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.required import required_of
 from fuzzytime.language.sentence.segments.connectives import (
@@ -89,6 +90,7 @@ class _Composer:
             begun=since.may_be_over,
             opened=since.opened,
             day=since.day,
+            ahead=since.ahead,
             night=since.night,
             window=_window_of(draft),
         )
@@ -198,7 +200,9 @@ class _Composer:
         self.explained += sketch.heard
         sketch, event, remarks = on_days_of_events(sketch, anchors, text)
         self.remarks += remarks
-        times = self._times_of(sketch)
+        if event is None and position and any(is_day_before(phrase.said) for phrase in sketch.phrases):
+            event = self.told.event_of(position - 1)
+        times = self._times_of(sketch, apart=event is not None)
         segment = sketch.part.segment
         said = text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
@@ -266,8 +270,8 @@ class _Composer:
             self.draft.now,
         )
 
-    def _times_of(self, sketch: Sketch) -> Times:
-        """Ground the times of a sketch, with what is to be said and asked of them."""
+    def _times_of(self, sketch: Sketch, *, apart: bool) -> Times:
+        """Ground the times of a sketch, with what is to be said and asked; they may count from an event."""
         moment = at_usual_hours(self.moment, sketch, self.draft.text) if self.usual else self.moment
         times = ground_all(sketch.phrases, self.draft.text, moment)
         if self.made and sketch.operation is not None and sketch.operation.lemma not in sketch.lexicon.moving:
@@ -275,7 +279,8 @@ class _Composer:
             times = behind_the_same(times, sketch.phrases, self.draft.text, moment, before, own)
         if not sketch.doubted:
             # What is not planned is no clue to what else is meant.
-            self._remember(times, happens=sketch.operation is not None and sketch.operation.stated)
+            happens = sketch.operation is not None and sketch.operation.stated
+            self._remember(times, happens=happens, apart=apart)
         self.remarks += times.remarks
         self.questions += times.questions
         return times
@@ -293,14 +298,18 @@ class _Composer:
         asked = (p for p in range(position - 1, -1, -1) if (one := given[p]) is None or not one.negated)
         return next(asked, None)
 
-    def _remember(self, times: Times, *, happens: bool) -> None:
-        """Remember the last clock time said: the next is hardly before it; and the day of what happens."""
+    def _remember(self, times: Times, *, happens: bool, apart: bool) -> None:
+        """Remember the last clock time said: the next is hardly before it; and the day of what happens.
+
+        One that counts ``apart``, from an event, is none that others are ahead of.
+        """
         said = last_said(times.requirements, NOTHING)
         if said.clock is not None:
             self.moment = replace(self.moment, since=said.clock, carried=False)
         if said.day is not None:
             event = said.day if happens else self.moment.event
-            self.moment = replace(self.moment, day=said.day, event=event)
+            ahead = self.moment.ahead if apart else said.day
+            self.moment = replace(self.moment, day=said.day, event=event, ahead=ahead)
 
 
 def _window_of(draft: Draft) -> tuple[float, float] | None:

@@ -44,7 +44,7 @@ def weekday_next(number: int) -> Calendar:
 
 
 @grammar.rule("days", "the? <weekday>", "this? <weekday> coming")
-@grammar.rule("days", "a|any|some <weekday>", weight=0.5)
+@grammar.rule("days", "a|any|some <weekday>", weight=0.15)
 @grammar.rule("series", "<weekday>")
 @grammar.rule("weekday series", "<weekday>")
 def weekday(number: int) -> Calendar:

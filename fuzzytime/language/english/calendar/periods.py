@@ -5,6 +5,7 @@ from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekly
 from fuzzytime.language.meaning.days.nested import Nth, WeekOf
 from fuzzytime.language.meaning.days.relations import Away, Deictic, Following, Relative, Which
+from fuzzytime.language.meaning.days.workdays import Workday
 from fuzzytime.language.meaning.expressions import Duration, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Unit
@@ -45,6 +46,12 @@ def _is_date(days: Calendar) -> bool:
 def nth_of_month(number: int, weekday: int) -> Calendar | None:
     """The third tuesday: of this month, or of the next."""
     return Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH)) if 1 <= number <= MOST_WEEKDAYS else None
+
+
+@grammar.rule("weak date", "the <place inside> <series>", weight=0.2)
+def workday_of_month(place: int, series: Calendar) -> Calendar | None:
+    """The first working day, the last business day: of this month, or of the next."""
+    return Nth(place, series, Cycle(Unit.MONTH)) if isinstance(series, Workday) else None
 
 
 @grammar.rule("said", "on? the? <ordinal> and|or the? <ordinal> <series> of|in <whole>", weight=1.0)
@@ -226,8 +233,8 @@ def nth_after(number: int, series: Calendar, anchor: Calendar) -> Calendar:
 
 @grammar.rule("date", "the? <ordinal> <series> before <feast>|<date>|<day of month>", weight=0.5)
 def nth_before(number: int, series: Calendar, anchor: Calendar) -> Calendar | None:
-    """The second friday before christmas."""
-    counted = is_weekly(series) and anchor.grain is Unit.DAY and number > 0
+    """The second friday before christmas, the last working day before the 24th."""
+    counted = (is_weekly(series) or isinstance(series, Workday)) and anchor.grain is Unit.DAY and number > 0
     return Following(-number, series, anchor) if counted else None
 
 

@@ -128,13 +128,12 @@ def spoken_to_hour_of_day(minutes: float, wall: Wall) -> Said | None:
     "halfway|midway through",
     "closing|opening|boarding|quitting|departure|arrival time",
     "half way through",
-    "the <part> before|after",
     "<times> per",
     "for? half|twice|just|exactly as long as",
     "for? <times> as long as",
 )
 def of_no_hour(part: Part | int | None = None) -> bool:
-    """For a while, the night before: of what, or how long, is not said."""
+    """For a while, half past: of what, or how long, is not said."""
     return True
 
 

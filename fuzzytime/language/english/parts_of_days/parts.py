@@ -37,10 +37,28 @@ def wall_of_part(found: Part) -> Wall:
     return Wall(part=found)
 
 
-@grammar.rule("wall", "that same? <part>", weight=0.2)
-def part_of_that_day(found: Part) -> Wall | None:
-    """(I'll read them) that afternoon; but "tell Tom that bedtime is at eight"."""
-    return Wall(Relative(0, onward=True), found) if found.name in SPOKEN_OF else None
+@grammar.rule("wall", "that same? <part>", "the very? same <part>", weight=0.2)
+def part_of_that_day(found: Part, days: int = 0) -> Wall | None:
+    """(I'll read them) that afternoon, the same morning; but "tell Tom that bedtime is at eight"."""
+    return Wall(Relative(days, onward=True), found) if found.name in SPOKEN_OF else None
+
+
+@grammar.rule("wall", "on? the <part> before", "on|in? the previous|preceding <part>", weight=0.25)
+def part_of_day_before(found: Part) -> Wall | None:
+    """(pack) the evening before: of the day before that which was said."""
+    return part_of_that_day(found, -1)
+
+
+@grammar.rule("wall", "<part> before", weight=-0.3)
+def night_before(found: Part) -> Wall | None:
+    """Night before: (soak the beans)."""
+    return part_of_day_before(found)
+
+
+@grammar.rule("wall", "on? the <part> after", weight=0.25)
+def part_of_day_after(found: Part) -> Wall | None:
+    """(clean up) the morning after: of the day after that which was said."""
+    return part_of_that_day(found, 1)
 
 
 @grammar.rule("wall", "on? the? <parts> of <wall>", weight=1.2)

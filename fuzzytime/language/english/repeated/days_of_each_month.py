@@ -6,6 +6,7 @@ from fuzzytime.language.english.repeated.repeated_days import LONGEST_MONTH
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, is_day_of_month
 from fuzzytime.language.meaning.days.nested import Nth
+from fuzzytime.language.meaning.days.workdays import Workday
 from fuzzytime.language.meaning.expressions import Repeat, UnitWord, Wall
 from fuzzytime.language.meaning.joined.repeats_beside import on_named_days
 from fuzzytime.requirement import Unit
@@ -48,11 +49,15 @@ def weekdays_of_month(places: tuple[int, ...], weekday: int) -> Repeat | None:
     return weekdays_of(places, Fields(weekday=weekday), Cycle(Unit.MONTH))
 
 
-@grammar.rule("repeat", "every|each <place inside> <weekday>", weight=0.4)
-def end_weekday_of_month(place: int, weekday: int) -> Repeat | None:
-    """Every last friday, every first monday: of each month; but every second one is every other."""
-    ends = place in {1, LAST}
-    return Repeat(walls=_walls((place,), Fields(weekday=weekday), Cycle(Unit.MONTH))) if ends else None
+@grammar.rule("repeat", "every|each <place inside> <series>", weight=0.4)
+def end_of_month(place: int, series: Calendar) -> Repeat | None:
+    """Every last friday, every first monday, every 15th working day: of each month.
+
+    But every second one is every other, and every third day one in three.
+    """
+    days = series.grain is Unit.DAY and (series == Cycle(Unit.DAY) or isinstance(series, Fields | Workday))
+    ends = place in {1, LAST} or (isinstance(series, Workday) and place > MOST_WEEKDAYS)
+    return Repeat(walls=_walls((place,), series, Cycle(Unit.MONTH))) if days and ends else None
 
 
 @grammar.rule("repeat", "every|each <places inside> <series> of|in <whole>", weight=0.6)

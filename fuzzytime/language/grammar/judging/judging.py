@@ -38,6 +38,9 @@ OF_HOURS = frozenset(
 """Prepositions of minutes past an hour that is not said: "at half past"."""
 
 STOPS = frozenset({"", ".", "!", ";"})
+LINES = STOPS | {"\n", "-", "*"}
+"""What stands before the first word of a sentence or an entry."""
+
 ENDING = {"then": STOPS, "in between": STOPS | {",", "and"}}
 """Time words that end what is said, and what may stand behind: but "put it in between the pages"."""
 
@@ -171,8 +174,20 @@ class Judge(Around):
         joined = joined or (
             behind[:1] == [","] and "," in self.texts[max(0, piece.start - ENTRY) : piece.start]
         )
-        ends = joined or self.around.follower(piece) in {"", ".", "!", ";"}
+        follower, before = self.around.follower(piece), self.around.before(piece)
+        if isinstance(time, Offset) and follower in {":", ","} and before in LINES:
+            # As in "two days before: make the sauce", "ten minutes after, turn it".
+            return True
+        # "A week before, a day before and an hour before the exam"
+        joined = joined or (follower in self.closed.additions and self._is_distance_at(piece.end + 1))
+        ends = joined or follower in {"", ".", "!", ";"}
         return piece.start > 0 and not looks and apart and ends
+
+    def _is_distance_at(self, start: int) -> bool:
+        """Whether so long before or after something is said at a place."""
+        sides = (p for p, text in enumerate(self.texts) if text in self.beside.before_or_after)
+        side = next((place for place in sides if place > start), None)
+        return side is not None and side <= start + ENTRY and self.around.is_unit(side - 1)
 
     def _is_of_unsaid_hour(self, piece: Piece, said: Said) -> bool:
         """Whether minutes of whichever hour are a time: not "walk at ten to the gate"."""

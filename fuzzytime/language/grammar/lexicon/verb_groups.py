@@ -111,6 +111,7 @@ class Doing(NamedTuple):
     bringing: Words
     meeting: Words
     resting: Words
+    left_alone: Words
     by_itself: Words
     watching: Words
     past_alike: Words

@@ -1,7 +1,8 @@
 """Numbers behind what goes on for minutes, where a text says lengths of time: "simmer 20 min, rest 5".
 
 So they are where nothing but such numbers ends its steps ("knead 10, rest 60, bake 40"), and behind what goes
-on for seconds alone they are seconds: "hold it for 30 seconds, rest 10 between".
+on for seconds alone they are seconds: "hold it for 30 seconds, rest 10 between". Several distances have their
+unit, and their side, in common: "30 and 10 minutes before".
 """
 
 from collections.abc import Iterator, Sequence
@@ -18,6 +19,9 @@ MARKS = {Unit.SECOND: "″", Unit.MINUTE: "′", Unit.HOUR: "‵"}
 
 STEP_ENDS = frozenset({",", ";", "\n", "."})
 """Marks behind the steps of a text."""
+
+JOINTS = frozenset({",", "and", "&", "+"})
+"""What stands between numbers whose unit is said behind the last."""
 
 SHORTEST_LIST = 2
 """Numbers behind steps, at least, that are minutes although the text says no length of time."""
@@ -36,12 +40,33 @@ def with_units(words: Sequence[Word], lexicon: Lexicon, *, measured: bool) -> li
 
     The text is ``measured`` where others beside it say lengths of time.
     """
-    units = dict(_units(words, lexicon, measured=measured))
+    units = {place: [mark] for place, mark in _units(words, lexicon, measured=measured)}
+    units |= _of_distances(words, lexicon)
     found: list[Word] = []
     for place, word in enumerate(words):
         found.append(word)
-        if place in units:
-            found.append(Word(units[place], word.end, word.end, glued=True))
+        found += (Word(text, word.end, word.end, glued=True) for text in units.get(place, ()))
+    return found
+
+
+def _of_distances(words: Sequence[Word], lexicon: Lexicon) -> dict[int, list[str]]:
+    """Give what is left out behind each number of a list of distances: "30 and 10 minutes before"."""
+    closed, found = lexicon.closed, dict[int, list[str]]()
+    led = closed.prepositions_of_time | closed.prepositions_of_points | closed.prepositions_of_two_ends
+    for place, word in enumerate(words):
+        last = place - 2
+        if (
+            last < 0
+            or word.text not in lexicon.beside.before_or_after
+            or _unit_at(words, place - 1, lexicon) is None
+        ):
+            continue
+        while last > 1 and words[last - 1].text in JOINTS and _counts(words[last - 2].text, lexicon):
+            last -= 2
+            found[last] = [words[place - 1].text, word.text]
+        if last and words[last - 1].text in led:
+            # "At 5 and ten minutes before six", "between five and ten minutes before"
+            return {}
     return found
 
 

@@ -22,6 +22,8 @@ def day_counted_from(here: Standpoint, calendar: Calendar) -> Today:
     base = calendar.anchor if isinstance(calendar, Following) else calendar
     onward = days_onward(base)
     said = here.day or here.since
+    if onward is not None and onward < 0:
+        said = here.ahead or said
     if isinstance(base, Relative) and base.event:
         said = here.event or said
     if said is None and onward == 0:

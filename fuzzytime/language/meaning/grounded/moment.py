@@ -39,6 +39,7 @@ class Moment(Clues[float]):
             day=_at(here, self.day),
             released=_at(here, self.released),
             event=_at(here, self.event),
+            ahead=_at(here, self.ahead),
             listed=self.listed,
             follows=self.follows,
             carried=self.carried,

@@ -27,6 +27,8 @@ class Clues(Generic[At]):
         The clock time before it, where it is only a deadline of a line before.
     event
         The day of what was told last to happen.
+    ahead
+        The day that those before it count from, as the days of a countdown do: that of its event.
     listed
         Whether it was said for the same thing to be done: "at eight and nine".
     follows
@@ -65,6 +67,7 @@ class Clues(Generic[At]):
     day: At | None = None
     released: At | None = None
     event: At | None = None
+    ahead: At | None = None
     listed: bool = False
     follows: bool = False
     carried: bool = False

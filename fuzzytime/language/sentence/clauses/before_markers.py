@@ -18,6 +18,12 @@ BESIDE = 2
 OF = "of"
 """The marker of what a time is the end of: "for the last hour of roasting"."""
 
+BEFORE = "before"
+"""The marker of what is done behind something."""
+
+LEAVING = frozenset({"leave"})
+"""What is done to "it" for so long, where no verb says what it does then."""
+
 LONGEST_ASIDE = 6
 """Words at most before the time of an event in what is said of it."""
 
@@ -39,6 +45,7 @@ class BeforeMarker:
                 and phrase.said.preposition is None
                 and isinstance(phrase.said.time, Duration)
                 and not self._lasts(phrase.first - 1)
+                and not self._is_left_for(phrase.first, place)
             ):
                 return phrase
         return self._whole_unit(place)
@@ -119,6 +126,31 @@ class BeforeMarker:
         # "Hang on a minute before you pour it"
         waits = len(texts) > 1 and texts[-1] == "on" and texts[-2] in self.lexicon.doing.waiting
         return waits or (bool(texts) and texts[-1] in self.lexicon.lasting - self.lexicon.events)
+
+    def _is_left_for(self, first: int, place: int) -> bool:
+        """Whether it is how long something is left alone before the next step: "rest it five before baking".
+
+        So is what is let do so, or is left: "leave it a minute before opening the lid"; but "leave the house
+        an hour before starting work", "let the dog out ten minutes before leaving".
+        """
+        texts = [word.text for word in self.words]
+        if texts[place] != BEFORE or not self._is_step(*texts[place + 1 : place + 3][:2]):
+            return False
+        begin = max((at + 1 for at in range(first) if not self.words[at].is_letters), default=0)
+        said = [text for text in texts[begin:first] if text not in self.lexicon.addressing]
+        led = next((at for at, text in enumerate(said) if text in self.lexicon.letting), None)
+        doing, it = self.lexicon.doing, self.lexicon.closed.object_pronouns
+        if led is None:
+            return not doing.left_alone.isdisjoint(said)
+        left = {*said[led + 1 :]}
+        alone = said[led] in LEAVING and bool(left) and left <= it
+        return alone or not (doing.by_itself | self.lexicon.timing).isdisjoint(left)
+
+    def _is_step(self, behind: str = "", further: str = "") -> bool:
+        """Whether words say what is done next: "before slicing"; but "before opening", "before meetings"."""
+        events = self.lexicon.events | self.lexicon.happening | self.lexicon.taken
+        done = further in self.lexicon.closed.noun_openers | self.lexicon.closed.object_pronouns
+        return behind.endswith("ing") and (done or behind not in events)
 
 
 def _before_now(phrase: Phrase) -> Phrase | None:

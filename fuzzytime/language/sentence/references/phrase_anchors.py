@@ -61,6 +61,9 @@ HOUR = "time"
 INSIDE = frozenset({LEFT, LAST, HALFWAY})
 """The prepositions of times that are inside something else, and nothing without that."""
 
+LISTED = frozenset({INTO, EARLIER})
+"""The prepositions of which several in a list count from the same."""
+
 COUNTED: dict[str | None, Constraint] = {
     LATER: Constraint.AFTER,
     EARLIER: Constraint.BEFORE,
@@ -77,14 +80,18 @@ def counts_from_nothing(
     if requirement.anchor is not None or requirement.constraint is Constraint.FOR:
         return False
     asked = operation is not None and not operation.stated
-    days = said.wall.days
-    # "Bake it the day before"
-    day_before = position == 0 and isinstance(days, Relative) and days.onward and days.days < 0
+    day_before = position == 0 and is_day_before(said)
     return (
         requirement.preposition in INSIDE
         or is_in_the_end(said)
         or (asked and (day_before or requirement.preposition == EARLIER))
     )
+
+
+def is_day_before(said: Said) -> bool:
+    """Whether it is on a day before the one that was said: "the day before", "the previous evening"."""
+    days = said.wall.days
+    return isinstance(days, Relative) and days.onward and days.days < 0
 
 
 def of_phrase(
@@ -222,9 +229,14 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
         return only_counted(requirement, anchor, Constraint.AFTER)
     side = COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
-    before = anchors.before_list() if phrase.said.preposition == INTO else anchors.position - 1
+    # "Remind me a day before and an hour before"
+    before = anchors.before_list() if phrase.said.preposition in LISTED else anchors.position - 1
     if phrase.said.preposition == LATER:
         before = counted_from(anchors)
+    own = anchors.operation_at(anchors.position)
+    if phrase.said.preposition == EARLIER and own is not None and phrase.span[1] <= own.span[0]:
+        # As in "an hour before: heat the oven. Ten minutes before: set the table".
+        before = anchors.told.event_of(before)
     if side is None or before < 0:
         return None
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END

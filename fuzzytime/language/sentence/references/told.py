@@ -5,7 +5,7 @@ from datetime import datetime
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.instruction import Instruction
-from fuzzytime.requirement import SAID_WHEN, Anchor, TimeRequirement
+from fuzzytime.requirement import SAID_WHEN, Anchor, Constraint, TimeRequirement
 from fuzzytime.times import instant_after
 
 
@@ -13,7 +13,8 @@ from fuzzytime.times import instant_after
 class Told:
     """What a text told: ``starts``; lengths in seconds, the latest told last; how often what is ``repeated``.
 
-    ``since`` is what those count from that are so long after something, None for the moment of speaking.
+    ``since`` is what those count from that are so long after something, None for the moment of speaking;
+    ``ahead`` those that are so long before another, by position.
     ``above`` is what was told before the text: what is asked of both is answered by the text first.
     """
 
@@ -22,6 +23,7 @@ class Told:
     lasting: dict[int, float] = field(default_factory=dict)
     repeated: dict[int, TimeRequirement] = field(default_factory=dict)
     since: dict[int, Anchor | None] = field(default_factory=dict)
+    ahead: dict[int, int] = field(default_factory=dict)
 
     def add(self, position: int, instruction: Instruction, now: datetime | None) -> None:
         """Add what an instruction tells of itself, or how long another goes on: "it takes an hour"."""
@@ -31,6 +33,11 @@ class Told:
         for part in instruction.requirements:
             if part.preposition == "after" and part.number:
                 self.since[position] = part.anchor
+            ahead = part.anchor if part.constraint is Constraint.BEFORE else None
+            if ahead is not None and ahead.lag and ahead.target is not None:
+                self.ahead[position] = ahead.target
+        if instruction.day_of is not None:
+            self.ahead[position] = instruction.day_of
         repetition = next((part for part in instruction.requirements if part.recurrence is not None), None)
         if repetition is not None:
             self.repeated[position] = repetition
@@ -38,6 +45,12 @@ class Told:
         if instruction.duration is not None and meant is not None:
             self.lasting.pop(meant, None)
             self.lasting[meant] = instruction.duration
+
+    def event_of(self, position: int) -> int:
+        """Give what an instruction is so long before, or itself: all in a countdown are before one event."""
+        if position in self.ahead:
+            return self.event_of(self.ahead[position])
+        return position if self.above is None else self.above.event_of(position)
 
     def start(self, position: int) -> datetime | None:
         """Give when an instruction begins, as far as it was told."""

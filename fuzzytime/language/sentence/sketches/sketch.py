@@ -240,7 +240,7 @@ def _happening(
     root = part.tree.root
     if not part.tree.nodes:
         first, end = part.segment.span
-        meal = meal_alone(draft.text[first:end], phrases, part.lexicon) if draft.beside else None
+        meal = meal_alone(draft.text[first:end], phrases, part.lexicon, listed=draft.beside)
         return None if meal is None else meal.moved(first)
     timed = phrases or clauses
     places = [place for phrase in phrases for place in part.at(phrase.span)]

@@ -27,7 +27,11 @@ from fuzzytime.language.sentence.together.times.first_times import from_first_ti
 from fuzzytime.language.sentence.together.times.one_by_one import one_by_one
 from fuzzytime.language.sentence.together.times.pairs import on_both_sides
 from fuzzytime.language.sentence.together.times.said_again import done_again, each_of
-from fuzzytime.language.sentence.together.times.several_times import also_at_events, of_several_times
+from fuzzytime.language.sentence.together.times.several_times import (
+    also_at_events,
+    of_one_event,
+    of_several_times,
+)
 from fuzzytime.language.sentence.together.times.turns import counted_apart
 from fuzzytime.language.sentence.together.told.ends_told import done_by, prepared_for
 from fuzzytime.language.sentence.together.told.opening_hours import within_opening_hours
@@ -67,7 +71,7 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
         remarks += (*remarked, *(not_used(draft.text, span) for span in others))
         for again in also_at_events(whole, words):
             found += of_several_times(without_moments(again, words, draft.text), words)
-    found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(found)]
+    found = [on_owned_day(_ordered(sketch, draft)) for sketch in again_between(of_one_event(found))]
     headed = draft.heading is not None and draft.heading.day is not None
     found = from_then_on(each_week(found, draft.text), draft.text, apart)
     found = things_alone(found, draft, apart, headed=headed)
@@ -75,7 +79,7 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     # "Morning: gym, shower" has its steps in any order.
     if ": " not in draft.text and not (found and heads_list(found[0], draft.text)):
         found = steps_in_turn(found, draft.text, apart)
-    placed = on_their_days(found, draft.text, draft.heading)
+    placed = on_their_days(found, draft)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 
 

@@ -18,8 +18,8 @@ LINE_STARTS = frozenset({";", "\n", "-", "*", "]", "•"})
 HALF = "parts.half_alone"
 """The rule of "am" and "pm" without an hour."""
 
-HEADS_ALONE = frozenset({HALF, "nights_and_weekends.weekend_alone"})
-"""The rules of what is a time only as the head of a list: "AM: post, bank", "weekend: mow the lawn"."""
+HEADS_ALONE = frozenset({HALF, "nights_and_weekends.weekend_alone", "parts.night_before"})
+"""The rules of what is a time only as the head of a list: "AM: post, bank", "night before: soak beans"."""
 
 ENDS = frozenset({".", "!"})
 """Marks behind a sentence."""

@@ -29,7 +29,8 @@ class LastSaid:
     ``earliest`` and ``latest`` the ends of all, ``nightly`` how many are at night. ``released`` is the last
     clock time that is no deadline: what is due "before bed" is no clue that the next line is behind it, nor
     are deadlines among the latest. ``early`` says that the first may be as early as people are up, ``over``
-    that it may be a little while ago, ``usual`` that things are done at their usual hours.
+    that it may be a little while ago, ``usual`` that things are done at their usual hours. ``ahead`` is the
+    day that those before it count from.
     """
 
     clock: float | None = None
@@ -45,6 +46,7 @@ class LastSaid:
     early: bool = False
     over: bool = False
     usual: bool = True
+    ahead: float | None = None
 
     @property
     def in_order(self) -> bool:
@@ -168,6 +170,7 @@ def said_in(reading: Reading, before: LastSaid) -> LastSaid:
     # Who writes a list at half past two is up, and so is who is at work then.
     at_night = at_night and now is not None and now.time() >= UP and before.night is None
     said = last_said(_times_in(reading), before)
+    counted = any(one.day_of is not None for one in reading.instructions)
     released = [one for one in firsts if one.constraint is not Constraint.BEFORE]
     said = replace(
         said,
@@ -175,6 +178,7 @@ def said_in(reading: Reading, before: LastSaid) -> LastSaid:
         released=last_said(released, replace(before, clock=before.released)).clock,
         begun=begun,
         nightly=before.nightly + at_night,
+        ahead=before.ahead if counted else said.day,
     )
     return night_told(reading, said.behind(before))
 

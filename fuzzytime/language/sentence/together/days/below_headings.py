@@ -17,9 +17,10 @@ from fuzzytime.language.meaning.joined.intervals_on_days import is_interval
 from fuzzytime.language.meaning.joined.told_apart import ending_on
 from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
-from fuzzytime.language.sentence.segments.drafts import Heading
+from fuzzytime.language.sentence.segments.drafts import Draft, Heading
 from fuzzytime.language.sentence.segments.segment import JOINED
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.together.days.listed_days import heads_list
 from fuzzytime.requirement import Constraint
 
 
@@ -42,8 +43,30 @@ def _with_days(sketch: Sketch, days: Sequence[Phrase]) -> Sketch:
     return sketch.under(days)
 
 
-def under_heading(sketch: Sketch, heading: Heading) -> Sketch:
+def headings_of(sketches: Sequence[Sketch], draft: Draft) -> list[Heading | None]:
+    """Give for each of some sketches the time that heads it: that in front of its line, or on one above.
+
+    "Monday: change the sheets. Water the ferns."
+    """
+    found: list[Heading | None] = []
+    heading = draft.heading
+    for place, sketch in enumerate(sketches):
+        between = text_between(sketches[place - 1], sketch, draft.text) if place else ""
+        heading = draft.heading if "\n" in between else heading
+        if heads_list(sketch, draft.text):
+            day = sketch.phrases[0]
+            name = draft.text[slice(*day.span)]
+            heading = Heading(name, draft.text, draft.scanned, (day.at(day.said.sure.time),))
+            found.append(draft.heading)
+        else:
+            found.append(heading)
+    return found
+
+
+def under_heading(sketch: Sketch, heading: Heading | None) -> Sketch:
     """Give an instruction the times of a line above, where its own do not say when something is done."""
+    if heading is None:
+        return sketch
     sketch = _during_hours(sketch, heading)
     operation = sketch.operation
     if operation is not None and operation.addressee is None and not operation.stated:

@@ -17,10 +17,10 @@ from fuzzytime.language.meaning.joined.repeats_beside import names_day_of, witho
 from fuzzytime.language.meaning.joined.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.joined.told_apart import ending_on, told_apart
 from fuzzytime.language.meaning.times_of_day import NOON, Half, Part
-from fuzzytime.language.sentence.segments.drafts import Heading
+from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.language.sentence.together.days.below_headings import under_heading
+from fuzzytime.language.sentence.together.days.below_headings import headings_of, under_heading
 from fuzzytime.language.sentence.together.days.listed_days import listed_below_day
 from fuzzytime.requirement import BOUNDS, Constraint, Unit
 
@@ -47,16 +47,19 @@ class _Day:
         return (said, Said(Wall(said.wall.days))) if parted else (said,)
 
 
-def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None) -> list[Sketch]:
+def on_their_days(sketches: Sequence[Sketch], draft: Draft) -> list[Sketch]:
     """Put each time of some instructions on the day that was said for it elsewhere.
 
-    That is in the same sentence, or on a line above, as a heading; what has no time has that of its heading.
+    That is in the same sentence, or a heading: in front of the line, or on one above. What has no time has
+    that of its heading.
     """
-    placed: list[Sketch] = []
-    day = None if heading is None else heading.day
-    above = None if day is None else _Day(day.said)
-    held = above
-    for sketch in map(_on_each_day, sketches):
+    text, placed = draft.text, list[Sketch]()
+    headings = headings_of(sketches, draft)
+    held = None
+    for sketch, heading in zip(map(_on_each_day, sketches), headings, strict=True):
+        day = None if heading is None else heading.day
+        above = None if day is None else _Day(day.said)
+        held = held if placed else above
         between = text_between(placed[-1], sketch, text) if placed else ""
         if ENDS & set(between) and not listed_below_day(placed[0], sketch, between, text):
             held = above
@@ -81,7 +84,7 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
             held = above
         held = _day_of(sketch, heads=heads) or held
         placed.append(told)
-    return placed if heading is None else [under_heading(sketch, heading) for sketch in placed]
+    return [under_heading(sketch, heading) for sketch, heading in zip(placed, headings, strict=True)]
 
 
 def _is_over(sketch: Sketch, part: Part) -> bool:

@@ -7,6 +7,7 @@ from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.expressions import Repeat
 from fuzzytime.language.sentence.references.meals import names_meal
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, are_steps
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import is_typed
 from fuzzytime.language.sentence.verbs.without_verbs.named_alone import named_alone
@@ -19,14 +20,17 @@ HEADS = (":", "- ", "– ", "— ")
 
 
 def heads_list(first: Sketch, text: str) -> bool:
-    """Whether a text begins with a day, or a repetition, and a mark behind which a list may begin."""
+    """Whether a sentence begins with a day, a part of one or a repetition, and the mark of a list."""
     day = next(iter(first.phrases), None)
-    if day is None or text[: day.span[0]].strip():
+    before = "" if day is None else text[: day.span[0]].rstrip()
+    if day is None or (before and before[-1] not in ENDS):
         return False
+    part, marked = day.said.wall.part, text[day.span[1] :].lstrip()
     if not isinstance(day.said.time, Repeat) and day.said.wall.days is None:
-        return False
+        # "Morning: feed the hens"; but "Lunch: soup"
+        return part is not None and not part.meal and day.said.is_day and marked.startswith(":")
     named, _, behind = text[slice(*day.span)].partition(":")
-    return text[day.span[1] :].lstrip().startswith(HEADS) or (bool(behind) and named.strip().isalpha())
+    return marked.startswith(HEADS) or (bool(behind) and named.strip().isalpha())
 
 
 def listed_below_day(first: Sketch, sketch: Sketch, between: str, text: str) -> bool:

@@ -194,13 +194,18 @@ def person_there(tree: Tree, timed: Sequence[int], *, clocked: bool) -> Operatio
     return Operation(verb="is", lemma="be", span=span, object=name, place=place, stated=True)
 
 
-def meal_alone(text: str, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
-    """Give the meal that a line among others is all about, whose hours are its time: "sunday lunch"."""
+def meal_alone(text: str, phrases: Sequence[Phrase], lexicon: Lexicon, *, listed: bool) -> Operation | None:
+    """Give the meal that a text is all about, with its hour: "Christmas dinner at 2pm".
+
+    In a line among others the hours of the meal are its time: "sunday lunch".
+    """
     if len(phrases) != 1 or phrases[0].said.preposition is not None:
         return None
-    part, meal = phrases[0].said.wall.part, words_of(text.rstrip(" .!"))[-1]
-    if part is None or not part.meal or meal.text not in lexicon.happening - lexicon.frames:
+    wall = phrases[0].said.wall
+    meals = [word for word in words_of(text) if word.text in lexicon.happening - lexicon.frames]
+    if wall.part is None or not wall.part.meal or not (listed or wall.clock is not None) or not meals:
         return None
+    meal = meals[-1]
     return Operation(verb=meal.text, lemma="be", span=(meal.start, meal.end), object=meal.text, stated=True)
 
 
