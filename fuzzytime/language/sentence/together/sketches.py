@@ -9,6 +9,7 @@ from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.around_events.at_events import without_moments
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import BECOMING
 from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
+from fuzzytime.language.sentence.sketches.meaning.times_of_cases import without_times_of_cases
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
 from fuzzytime.language.sentence.together.days.below_headings import under_first_line
 from fuzzytime.language.sentence.together.days.day_by_day import day_by_day, each_day_too
@@ -52,7 +53,8 @@ def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     sketches = done_by(told_beside(sketches, draft.text), draft.text)
     sketches = within_opening_hours(sketches, draft.text)
     sketches = due_before_told(sketches, draft.text)
-    sketches = repeated(led(sketches, draft.text), draft.text)
+    sketches = [without_times_of_cases(sketch, draft.text) for sketch in led(sketches, draft.text)]
+    sketches = repeated(sketches, draft.text)
     told = shared(at_once(within(sketches, apart), draft.text), draft.text)
     words = draft.scanned.words
     told = [without_days_left_out(sketch) for sketch in under_first_line(told, draft.text)]
