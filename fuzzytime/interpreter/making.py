@@ -89,7 +89,7 @@ class Maker:
             If a context reading is of no declared signal, or a duration impossible.
         """
         instruction = at_its_hours(instruction, wish.given, self.lexicon)
-        instruction = waiting_until(from_to(instruction, wish.given, self.lexicon), self.lexicon)
+        instruction = waiting_until(from_to(instruction, reading, wish.given, self.lexicon), self.lexicon)
         told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
         known = without_readings(list(told), wish.given, self.request, self.lexicon)
         said = [with_waits(part, self.rulebook, self.request) for part in known]

@@ -7,7 +7,8 @@ from datetime import datetime
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
-from fuzzytime.language import Instruction, Lexicon, Operation, find_times
+from fuzzytime.language import Instruction, Lexicon, Operation, Reading, find_times
+from fuzzytime.language.instruction import Span
 from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
 from fuzzytime.satisfaction import Rectangle
 from fuzzytime.skills import Precedence
@@ -76,11 +77,12 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
     return ends[0] if len(ends) == 1 else None
 
 
-def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
+def from_to(instruction: Instruction, reading: Reading, given: datetime, lexicon: Lexicon) -> Instruction:
     """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
 
     "Between two and four" leaves open when in between something is done, and "sometime between two and four"
-    when it happens, too.
+    when it happens, too. What a reading asks for in the same stretch shares it: "4:00-4:10 unpack, wash and
+    change".
     """
     operation, requirements = instruction.operation, list(instruction.requirements)
     if operation is None or instruction.duration is not None:
@@ -98,12 +100,27 @@ def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Inst
             continue
         if _says_ends(part, given, lexicon, asked=asked):
             begin, length = part.earliest, part.latest - part.earliest
+            within = _asked_in(part.span, reading) if asked else []
+            if operation.span in within:
+                length /= len(within)
+                begin += within.index(operation.span) * length
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)
     if operation.stated:
         instruction = replace(instruction, requirements=tuple(map(_beginning, instruction.requirements)))
     # "I'm out until four", "Anna sleeps till nine"
     return _until(instruction) if operation.stated and not operation.negated else instruction
+
+
+def _asked_in(span: Span, reading: Reading) -> list[Span]:
+    """Give what a reading asks for in one stretch, in order, where nothing says how long any of it takes."""
+    found = (
+        one.operation.span
+        for one in reading.instructions
+        if one.operation is not None and one.operation.is_asked and one.duration is None
+        if any(part.span == span for part in one.requirements)
+    )
+    return list(dict.fromkeys(found))
 
 
 def _says_ends(part: TimeRequirement, given: datetime, lexicon: Lexicon, *, asked: bool) -> bool:
