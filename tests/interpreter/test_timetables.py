@@ -99,3 +99,30 @@ def test_a_line_alone_is_of_what_is_to_come() -> None:
     said = datetime(2026, 3, 4, 9, 5)  # noqa: DTZ001 - the tests' moment is of no zone
     assert starts(listed(["Call mum at nine"], now=said)) == {"s1": "21:00"}
     assert starts(listed(["Call mum at nine", "Dentist at ten"], now=said))["s1"] == "21:00"
+
+
+def test_what_one_line_asks_for_in_a_stretch_shares_it() -> None:
+    made = listed(["16:00-16:30 unpack the bags, sweep the hall and wash", "16:30-17:00 watch the news"])
+    minutes = [one.skill.duration / 60 for one in made.skills]
+    assert minutes == pytest.approx([10, 10, 10, 30])
+    assert not any(made.schedule.rejected)
+    assert order(made) == ["s1", "s1.2", "s1.3", "s2"]
+
+
+def test_a_countdown_is_to_what_happens() -> None:
+    lines = ["Fair at 4pm on saturday", "Two days before: order the tent", "The night before: load the van"]
+    made = listed([*lines, "Six hours before: put up the tent", "An hour before: light the grill"])
+    days = [f"{made.instant(time):%a %H:%M}" for time in made.schedule.start_times]
+    assert days[:2] == ["Sat 16:00", "Thu 16:00"]
+    assert days[2].startswith("Fri 2")
+    assert days[3:] == ["Sat 10:00", "Sat 15:00"]
+
+
+def test_lines_of_a_countdown_may_head_others() -> None:
+    lines = ["The fair is on the 28th", "1) One week before", "- print the signs", "2) The day before"]
+    made = listed([*lines, "- load the van", "3) Later", "- sweep the hall"])
+    days = {
+        one.skill.name: made.instant(time)
+        for one, time in zip(made.skills, made.schedule.start_times, strict=True)
+    }
+    assert [days[name].day for name in ("print the signs", "load the van", "sweep the hall")] == [21, 27, 4]

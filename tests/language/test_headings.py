@@ -249,3 +249,23 @@ def test_dates_of_lines_begin_with_the_day_where_one_surely_does() -> None:
     eyes, scan = _times("9/3 eye clinic 10:20", "17/3 scan 9:30")
     assert [part.grain for part in eyes] == [Unit.DAY, Unit.MINUTE]
     assert [part.earliest for part in (eyes[1], scan[1])] == [5 * DAY + 80 * 60, 13 * DAY + 30 * 60]
+
+
+def test_an_entry_beside_its_hour_is_named_by_all_of_its_words() -> None:
+    lines = ["10:00 Hair + make-up", "12:30 Florist arrives", "6:00 Supper, toasts & cake"]
+    readings = Language.shipped().read_all([(line, NOW) for line in [*lines, "Cocktail hour ... 7:30pm"]])
+    operations = [one.operation for reading in readings for one in reading.instructions]
+    names = [None if operation is None else operation.name for operation in operations]
+    assert names == ["Hair + make-up", "Florist arrives", "Supper, toasts & cake", "Cocktail hour"]
+    kinds = {remark.kind for reading in readings for remark in reading.remarks}
+    assert kinds <= {RemarkKind.POLICY}
+
+
+@pytest.mark.parametrize("line", ["5pm. Unpack the bags", "5p-unpack the bags", "5:00 pm - Unpack the bags"])
+def test_an_hour_in_front_of_a_line_is_of_what_follows(line: str) -> None:
+    (reading,) = Language.shipped().read_all([(line, NOW)])
+    (unpack,) = reading.instructions
+    assert reading.text == line
+    assert unpack.operation is not None
+    assert unpack.operation.name == "unpack the bags"
+    assert [time.t_spec for time in unpack.requirements] == [8 * 3600.0]

@@ -58,7 +58,7 @@ def asked_of(
             remarks += nothing
             found.append(replace(sketch, doubted=bool(nothing)))
         else:
-            remarks += unused_orders(draft.text, sketch.part, operation, sketch.heard)
+            remarks += unused_orders(draft.text, sketch.part, operation, [*sketch.heard, *sketch.joints])
             remarks += things_or_orders(draft.text, sketch.part)
             remarks += counted(draft, sketch)
             anchors = Anchors(first + len(found), first, operations, mentions)

@@ -37,6 +37,7 @@ from fuzzytime.language.sentence.together.days.days_apart import follows_night
 from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.days.titles import window_of
 from fuzzytime.language.sentence.together.none_of_it.how_much import uncounted
+from fuzzytime.language.sentence.together.none_of_it.named_whole import named_whole
 from fuzzytime.language.sentence.together.none_of_it.naming import naming_none, unknown_moments
 from fuzzytime.language.sentence.together.none_of_it.orders_again import denied_together
 from fuzzytime.language.sentence.together.none_of_it.unused import unused_front, unused_words
@@ -72,7 +73,11 @@ def composed(
         return read_heading(draft)
     if draft.needed:
         return Reading(text=draft.text, now=draft.now, instructions=(), remarks=(needed(draft.text),))
-    return _Composer(draft, mentions, first, awaits=awaits, since=since).reading()
+    reading = _Composer(draft, mentions, first, awaits=awaits, since=since).reading()
+    whole = named_whole(draft, reading)
+    return (
+        reading if whole is None else _Composer(whole, mentions, first, awaits=awaits, since=since).reading()
+    )
 
 
 class _Composer:
@@ -105,6 +110,7 @@ class _Composer:
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
         self.explained += [told.whom for told in draft.messages if told.whom is not None]
+        self.explained += [draft.entry.span] if draft.entry is not None else []
 
     def reading(self) -> Reading:
         """Read every part, then resolve what parts say of each other."""

@@ -282,6 +282,15 @@ class Anchors:
             before -= 1
         return before
 
+    def counted_down_from(self) -> int:
+        """Give what all in a countdown count from: what was told to happen, or else what the one before does.
+
+        "An hour before: heat the oven. Ten minutes before: set the table"
+        """
+        before = self.told.event_of(self.position - 1)
+        places = (place for place in range(before, -1, -1) if self._is_stated(place))
+        return next((place for place in places if self.told.start(place) is not None), before)
+
     def said_to_last(self) -> int | None:
         """Give the latest instruction before it that was said to go on for some time; None without one."""
         return self.told.last_going_on(self.position)

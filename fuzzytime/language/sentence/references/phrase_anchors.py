@@ -235,8 +235,7 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         before = counted_from(anchors)
     own = anchors.operation_at(anchors.position)
     if phrase.said.preposition == EARLIER and own is not None and phrase.span[1] <= own.span[0]:
-        # As in "an hour before: heat the oven. Ten minutes before: set the table".
-        before = anchors.told.event_of(before)
+        before = anchors.counted_down_from()
     if side is None or before < 0:
         return None
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END

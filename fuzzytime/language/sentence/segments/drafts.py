@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.understood.filled import as_one
 from fuzzytime.language.grammar.understood.lists import closed_lists
 from fuzzytime.language.grammar.understood.minutes_of_steps import says_lengths
 from fuzzytime.language.grammar.words import words_of
-from fuzzytime.language.instruction import Order, Remark, Span, blanked
+from fuzzytime.language.instruction import Operation, Order, Remark, Span, blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, wall_of
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -96,6 +96,7 @@ class Draft:
     names for it; one that ``leads`` names that of the lines below, and a ``listed`` one is among lines with
     times, as one ``beside`` others may have none. What is ``needed`` is only named. ``instances`` are several
     of one kind, of which each has a time, ``orders`` the words that say where something comes among others.
+    What happens on an ``entry`` that is all a name is known from the beginning.
     """
 
     text: str
@@ -114,6 +115,7 @@ class Draft:
     needed: bool = False
     instances: Instances = NONE
     orders: tuple[tuple[Span, Order], ...] = ()
+    entry: Operation | None = None
 
     @property
     def lexicon(self) -> Lexicon:

@@ -11,7 +11,7 @@ from fuzzytime.language.sentence.sketches.around_events.clause_requirements impo
 from fuzzytime.language.sentence.sketches.meaning.alternatives import not_used
 from fuzzytime.language.sentence.sketches.meaning.times_of_cases import without_times_of_cases
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
-from fuzzytime.language.sentence.together.days.below_headings import under_first_line
+from fuzzytime.language.sentence.together.days.below_headings import under_first_line, under_heading
 from fuzzytime.language.sentence.together.days.day_by_day import day_by_day, each_day_too
 from fuzzytime.language.sentence.together.days.days_apart import on_owned_day, on_their_days
 from fuzzytime.language.sentence.together.days.days_left_out import left_out_behind, without_days_left_out
@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.together.days.each_week import each_week
 from fuzzytime.language.sentence.together.days.listed_days import heads_list, things_alone
 from fuzzytime.language.sentence.together.lent.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.none_of_it.after_all import after_all
+from fuzzytime.language.sentence.together.none_of_it.named_whole import sketch_of_entry
 from fuzzytime.language.sentence.together.times.again_between import again_between
 from fuzzytime.language.sentence.together.times.at_once import at_once
 from fuzzytime.language.sentence.together.times.choices_of_repetitions import first_of_choices
@@ -43,6 +44,8 @@ from fuzzytime.requirement import MOMENTS, Constraint, Reference
 
 def sketches_of(draft: Draft) -> tuple[list[Sketch], list[Remark]]:
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
+    if draft.entry is not None:
+        return [under_heading(sketch_of_entry(draft, draft.entry), draft.heading)], []
     found: list[Sketch] = []
     remarks: list[Remark] = []
     sketches, corrections = after_all([sketch_of(draft, part) for part in draft.parts], draft)

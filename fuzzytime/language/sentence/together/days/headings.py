@@ -35,6 +35,12 @@ TONIGHT = "tonight"
 UP_SECONDS = 5 * 3600
 """Seconds of a day before which people are up at night, and not early."""
 
+AHEAD = frozenset({"before", "after"})
+"""What stands behind the length of a distance that heads lines."""
+
+DISTANCE = 4
+"""Words of such a length at most: "three to four weeks"."""
+
 CALLED = 2
 """Words that call a worker: "Robot 2:"."""
 
@@ -51,17 +57,20 @@ def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
-    latest = 0
+    latest, numbered = 0, False
     for place, draft in enumerate(drafts):
         if place and draft.now != drafts[place - 1].now:
             heading = day = None
         named = headings[place]
+        if numbered and draft.step is not None and named is None:
+            # "3) The day before" heads nothing below "4) On moving day".
+            heading = None
         hours = [] if heading is None or named is not None else clocks_in(draft)
         if heading is not None and _is_over(heading, hours, latest):
             heading = _of_whole_day(heading) or day
         latest = 0 if named is not None else max([latest, *(min(clock.candidates()) for clock in hours)])
         if named is not None:
-            heading = _on_day(named, day)
+            heading, numbered = _on_day(named, day), draft.step is not None
             day = named if named.is_day or any(map(names_day, named.phrases)) else day
         if named is not None and named.happens:
             found.append(replace(draft, remarks=(*draft.remarks, _remark_on(named, (0, len(draft.text))))))
@@ -134,13 +143,14 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
         return Heading(name_of(draft), draft.text, draft.scanned, held(draft, days))
     if marked and (hours := hours_of(draft)) is not None:
         return hours
-    if len(draft.parts) != 1 or not (marked or len(draft.phrases) == 1):
+    if len(draft.parts) != 1:
         return None
-    if marked:
+    counted = _counts_back(draft)
+    if marked or counted:
         sketch = sketch_of(draft, draft.parts[0])
         phrases, clauses = sketch.phrases, sketch.clauses
     else:
-        phrases, clauses = draft.phrases, ()
+        phrases, clauses = draft.phrases[:1] if len(draft.phrases) == 1 else (), ()
     heard = [*(phrase.span for phrase in phrases), *(clause.span for clause in clauses)]
     if not heard or any(isinstance(p.said.time, TimeWord) for p in phrases):
         return None
@@ -149,7 +159,8 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
     if _says_more(draft, heard) and not titled:
         return None
     part = phrases[0].said.wall.part if phrases else None
-    if (not marked and not is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
+    calendar = marked or counted or is_of_calendar(phrases[0])
+    if not calendar or any(map(_is_meal, phrases)):
         return None
     if not marked and part is not None and part.meal and not part.place:
         # "Sunday lunch" is one.
@@ -227,6 +238,13 @@ def _called(draft: Draft) -> str | None:
     if len(words) != CALLED or words[0].text not in draft.lexicon.workers or not words[1].is_digits:
         return None
     return draft.text[words[0].start : words[1].end]
+
+
+def _counts_back(draft: Draft) -> bool:
+    """Whether a line begins with so long before something, or what was said: "two weeks before the move"."""
+    texts = [word.text for word in draft.scanned.words]
+    before = next((place for place, text in enumerate(texts) if text in AHEAD), len(texts))
+    return 0 < before <= DISTANCE and draft.scanned.around.is_unit(before - 1)
 
 
 def _says_more(draft: Draft, heard: Sequence[Span]) -> bool:
