@@ -16,10 +16,13 @@ FIRST = re.compile(r"[^\W\d_]+")
 
 _HOUR = r"\d{1,2}(?:[:.]\d\d)?[ ]?(?:[ap]m?\b)?"
 HEAD = re.compile(
-    rf"^[ \t]*(?P<hours>{_HOUR}(?:[ ]?[-–][ ]?{_HOUR})?)(?P<mark>\.(?=[ ]+[^\W\d_])|[-–](?=[^\W\d_]))",
-    re.MULTILINE | re.IGNORECASE,
+    rf"""
+    ^[ \t]* (?:[^\W\d_]+[ ])? (?P<hours> {_HOUR} (?:[ ]?[-–][ ]?{_HOUR})? )
+    (?P<mark> \.(?=[ ]+[^\W\d_]) | [-–](?=[^\W\d_]) )
+    """,
+    re.MULTILINE | re.IGNORECASE | re.VERBOSE,
 )
-"""An hour in front of a line, or from when to when, and the mark behind it: "5pm. Unpack", "6:30p-bath"."""
+"""An hour in front of a line, or from when to when, and its mark: "5pm. Unpack", "around 6:30p-bath"."""
 
 HOUR_MARKS = {".": ":", "-": " ", "–": " "}
 """What stands for such a mark, by what was typed."""

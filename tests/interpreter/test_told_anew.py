@@ -7,7 +7,7 @@ import pytest
 
 from fuzzytime.interpreter import Plan, Request, SpokenWish, Started, plan
 from fuzzytime.scheduling import Limits
-from interpreter.telling import SEVEN, interpreter, notes, starts
+from interpreter.telling import SEVEN, interpreter, listed, notes, starts
 
 pytestmark = pytest.mark.model
 
@@ -165,3 +165,9 @@ def test_what_moves_by_days_takes_as_long_as_was_said() -> None:
     (gifts,) = [one for one in made.skills if one.identifier == "s2"]
     assert gifts.skill.duration == 3000
     assert starts(made)["s2"] == "18:30"
+
+
+def test_entries_with_their_hours_in_front_are_no_news_of_each_other() -> None:
+    lines = ["8AM all goats are fed", "9:30-11:30AM pens mucked out, pails washed and filled"]
+    made = listed([*lines, "3:00PM all goats brought in, feet checked", "5:00PM all goats skipped out"])
+    assert list(starts(made).values()) == ["08:00", "09:30", "15:00", "17:00"]

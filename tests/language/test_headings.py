@@ -269,3 +269,10 @@ def test_an_hour_in_front_of_a_line_is_of_what_follows(line: str) -> None:
     assert unpack.operation is not None
     assert unpack.operation.name == "unpack the bags"
     assert [time.t_spec for time in unpack.requirements] == [8 * 3600.0]
+
+
+def test_a_count_of_all_is_no_hour_of_a_list() -> None:
+    lines = ["9.10 - ride the mare", "9.40 - untack, turn out all 3 (two greys, one bay)", "9.50 - sweep up"]
+    said = {time.text for times in _times(*lines) for time in times}
+    assert said >= {"9.10", "9.40", "9.50"}
+    assert "3" not in said

@@ -45,7 +45,8 @@ def asked_of(
             operations.append(None)
             spoken_of.append(None)
             continue
-        doubts = _doubts(sketch, draft)
+        # What an entry is called says nothing of whether it happens.
+        doubts = _doubts(sketch, draft) if draft.entry is None else []
         remarks += doubts
         was = bool(doubts) and tells_what_was(sketch)
         if doubts:

@@ -217,7 +217,8 @@ class _Composer:
         requirements, remarks = offered(requirements, operation, text)
         self.remarks += remarks
         requirements = due_when_needed(requirements, operation, said, self.draft.lexicon)
-        told = length_of(operation, requirements, said, anchors)
+        named = self.draft.entry is not None
+        told = None if named else length_of(operation, requirements, said, anchors)
         self.remarks += [*unknown_length(told, segment.span), *sketch.remarks]
         self.explained += [remark.span for remark in sketch.remarks]
         return Instruction(
@@ -230,7 +231,7 @@ class _Composer:
             fuzzy_parameters=sketch.parameters,
             length_of=told,
             way=None if sketch.way is None else sketch.way.seconds,
-            time_of=None if told is not None else time_of(operation, requirements, said, anchors),
+            time_of=None if named or told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
             again=sketch.again,
             alone=bool(lengths) and any(_leaves(aside, lengths[0]) for aside in self.draft.asides),

@@ -95,6 +95,12 @@ class News:
     marked: bool = True
     comes: bool = False
 
+    @property
+    def heads_entry(self) -> bool:
+        """Whether a clock time alone stands in front of the clause, as in the entries of a list."""
+        time = self.time
+        return time is not None and time.span[0] == self.span[0] and time.text[0].isdigit()
+
     def is_of(self, happening: Operation, lexicon: Lexicon) -> bool:
         """Whether it may be about something that was said to happen."""
         if not happening.stated or happening.negated:
@@ -123,8 +129,8 @@ def news_in(text: str, now: datetime, lexicon: Lexicon) -> tuple[News, ...]:
     found = [
         one for span in clauses_of(text) if (one := _Clause(text, span, now, lexicon).news()) is not None
     ]
-    # "They are late, they come at eight"
-    marked = len(found) > 1
+    # "They are late, they come at eight"; but "3:00 PM all horses brought in, feet washed" is an entry.
+    marked = len(found) > 1 and not found[0].heads_entry
     return tuple(replace(one, marked=marked or one.marked) for one in found)
 
 
@@ -213,7 +219,8 @@ class _Clause:
         if news is None:
             return None
         marked = moved or bool(tables - {"they", "being"})
-        return replace(news, time=told, question=next(iter(questions), None), marked=marked)
+        news = replace(news, time=told, question=next(iter(questions), None))
+        return replace(news, marked=marked and not news.heads_entry)
 
     def _news_of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:
         """Give news of what the words that are left name; None where they say more than that."""

@@ -113,7 +113,7 @@ class Ranges(Standing):
             dated = isinstance(time, Wall) and time.days is not None and time.part is not None
             return dated and self.texts[piece.start] == "@" and "-" in self.texts[piece.start : piece.end]
         dash = next((p for p in range(piece.start, piece.end) if self.texts[p] == "-"), None)
-        if dash is None or self.words[dash].glued or not self.around.opens(piece.start):
+        if dash is None or self.words[dash + 1].glued or not self.around.opens(piece.start):
             return False
         first, last = time.first, time.last
         if not isinstance(first, Wall) or not isinstance(last, Wall) or first.clock is None:

@@ -199,8 +199,9 @@ def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether the full stop of an abbreviation ends a sentence too: "at 6 p.m. Add the salt"."""
     if words[phrase.end - 1].text != "." or phrase.end + 1 >= len(words):
         return False
-    acts = _acts(words, phrase.end, lexicon)
-    return words[phrase.end].capital or (acts and not _leads(phrase, words, lexicon))
+    begins = words[phrase.end].capital or _acts(words, phrase.end, lexicon)
+    # "6 p.m. Add the salt" is one.
+    return begins and not _leads(phrase, words, lexicon)
 
 
 def _leads(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -176,7 +176,9 @@ def _is_other(found: re.Match[str], before: Sequence[Word], lexicon: Lexicon) ->
     got = before[0].text in lexicon.doing.getting and "," in {word.text for word in before}
     costs = costs or (got and found["minutes"] is None and _is_counted(before[-1], lexicon))
     year = found["digits"] in YEARS and any(word.is_digits for word in before)
-    return costs or year or before[-1].text in lexicon.beside.parts_of_hours
+    # "Half 2", "turn out all 3"
+    led = lexicon.beside.parts_of_hours | lexicon.closed.universal_determiners
+    return costs or year or before[-1].text in led
 
 
 def _is_within_hour(found: re.Match[str]) -> bool:

@@ -7,6 +7,7 @@ what the entry is called.
 import re
 from dataclasses import replace
 
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation, Reading, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch
@@ -19,7 +20,7 @@ NAMED = re.compile(r"(?:\((?=[^()]*\)))?[^\W_](?:.*[\w)])?", re.DOTALL)
 JOINTS = frozenset({"+", "&", "/"})
 """Marks between what is on at once, in the name of an entry."""
 
-LONGEST = 12
+LONGEST = 20
 """Words of a name, at most: what is longer tells more than what is on."""
 
 
@@ -45,7 +46,9 @@ def named_whole(draft: Draft, reading: Reading) -> Draft | None:
 def sketch_of_entry(draft: Draft, operation: Operation) -> Sketch:
     """Sketch an entry that is all a name beside its time."""
     part = draft.parts[0]
-    whole = replace(part, segment=replace(part.segment, span=(0, len(draft.text))))
+    first, end = draft.phrases[0].span
+    span = min(first, operation.span[0]), max(end, operation.span[1])
+    whole = replace(part, segment=replace(part.segment, span=span))
     return Sketch(
         part=whole,
         phrases=draft.phrases,
@@ -70,12 +73,18 @@ def _name_of(draft: Draft) -> Span | None:
     found = NAMED.search(rest)
     if found is None or len(found[0].split()) > LONGEST or _orders(draft, start + found.start()):
         return None
+    closed, said = draft.lexicon.closed, {word.text for word in words_of(found[0])}
+    if said & (closed.present_be | closed.past_be | closed.have | closed.subject_pronouns):
+        # "The guests are late, call mum at nine" tells something, and asks.
+        return None
     return start + found.start(), start + found.end()
 
 
 def _orders(draft: Draft, start: int) -> bool:
-    """Whether the first word of a name is an order."""
+    """Whether the first word of a name is an order; what has a bracket behind it is none: "Snack (fruit)"."""
     words = [word for word in draft.scanned.words if word.start >= start]
+    if [word.text for word in words[1:2]] == ["("]:
+        return False
     if words and words[0].text in draft.lexicon.orders:
         return True
     nodes = (node for part in draft.parts for node in part.tree.nodes if node.start + part.offset == start)
