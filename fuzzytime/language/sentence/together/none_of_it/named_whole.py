@@ -66,6 +66,9 @@ def _name_of(draft: Draft) -> Span | None:
     if draft.asides or draft.messages or (draft.heading is not None and draft.heading.addressee is not None):
         return None
     first, end = draft.phrases[0].span
+    if not draft.text[first].isdigit():
+        # "Mr Hill had his tablets at six"
+        return None
     before, behind = draft.text[:first], draft.text[end:]
     if before.strip(" \t-–—*•.:([") and behind.strip(" \t-–—.:)]"):
         return None
