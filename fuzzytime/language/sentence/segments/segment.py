@@ -248,9 +248,12 @@ def _opens(words: Sequence[Word], place: int, vague: set[int], lexicon: Lexicon)
 def _is_end(text: str, words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     """Whether a mark ends a sentence: it is no part of a number or an abbreviation."""
     word = words[place]
+    after = text[word.end : word.end + 1]
+    if after == ")":
+        # As in "buy bread (the brown one!) at noon".
+        return False
     if word.text != ".":
         return True
-    after = text[word.end : word.end + 1]
     if after and not after.isspace():
         return False
     before = words[place - 1] if place else None

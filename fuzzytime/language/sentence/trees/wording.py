@@ -9,6 +9,9 @@ from fuzzytime.language.grammar.words import is_quoted
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.trees.tree import Tree
 
+SENTENCE_MARKS = frozenset({"!", "?"})
+"""Marks that may stand before what closes: "bread (the brown one!)"."""
+
 CLOSING = {">": "<", ")": "(", "]": "["}
 """Marks, and those that they close."""
 
@@ -137,11 +140,14 @@ class Wording:
         text = self.tree.nodes[place].text
         return _names(text[end]) or is_quoted(text)
 
-    def _closes(self, kept: Sequence[int]) -> bool:
-        """Whether the mark behind some words closes what is opened among them: "flowers & <wine>"."""
-        behind = self.tree.nodes[kept[-1] + 1 : kept[-1] + 2]
-        opened = CLOSING.get(behind[0].text) if behind else None
-        return opened is not None and any(self.tree.nodes[place].text == opened for place in kept[1:])
+    def _closing(self, kept: Sequence[int]) -> list[int]:
+        """Give the marks behind some words that close what is opened among them: "flowers & <wine>"."""
+        marks = list(range(kept[-1] + 1, min(kept[-1] + 3, len(self.tree.nodes))))
+        if len(marks) > 1 and self.tree.nodes[marks[0]].text not in SENTENCE_MARKS:
+            marks.pop()
+        opened = CLOSING.get(self.tree.nodes[marks[-1]].text) if marks else None
+        closes = opened is not None and any(self.tree.nodes[place].text == opened for place in kept[1:])
+        return marks if closes else []
 
     def said(self, words: Sequence[int]) -> str | None:
         """Give words as typed, single spaces between those that stood apart, without marks at the ends."""
@@ -150,8 +156,7 @@ class Wording:
             kept.pop()
         while kept and not self._ends_named(kept[0], 0):
             kept.pop(0)
-        if kept and self._closes(kept):
-            kept.append(kept[-1] + 1)
+        kept += self._closing(kept) if kept else []
         text = ""
         last = None
         for place in kept:

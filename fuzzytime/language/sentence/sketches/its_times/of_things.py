@@ -52,6 +52,9 @@ class _Things:
         if self.nodes[place].lower == "than" and self.nodes[place - 1].lower in self.lexicon.beside.ages:
             # "Delete emails older than thirty days"
             return True
+        if isinstance(phrase.said.time, Repeat) and self._is_told_of(place, None):
+            # "Pack the things we use every day"
+            return True
         return (
             self._is_revoked(phrase, place) or self._is_joined(phrase, place) or self._is_found(phrase, place)
         )
