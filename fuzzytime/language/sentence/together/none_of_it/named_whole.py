@@ -20,6 +20,9 @@ NAMED = re.compile(r"(?:\((?=[^()]*\)))?[^\W_](?:.*[\w)])?", re.DOTALL)
 JOINTS = frozenset({"+", "&", "/"})
 """Marks between what is on at once, in the name of an entry."""
 
+SHORT = 2
+"""Words of each of several things, at most, that are one entry."""
+
 LONGEST = 20
 """Words of a name, at most: what is longer tells more than what is on."""
 
@@ -27,9 +30,9 @@ LONGEST = 20
 def named_whole(draft: Draft, reading: Reading) -> Draft | None:
     """Give a draft of an entry that is only a name and its hour, where a reading of it loses words.
 
-    None for lines alone, with another time than that hour, or with an order.
+    None with another time than that hour, with an order, and for lines alone that list no things.
     """
-    name = _name_of(draft) if draft.beside else None
+    name = _name_of(draft)
     if name is None:
         return None
     named = draft.text[slice(*name)]
@@ -66,21 +69,34 @@ def _name_of(draft: Draft) -> Span | None:
     if draft.asides or draft.messages or (draft.heading is not None and draft.heading.addressee is not None):
         return None
     first, end = draft.phrases[0].span
-    if not draft.text[first].isdigit():
-        # "Mr Hill had his tablets at six"
-        return None
     before, behind = draft.text[:first], draft.text[end:]
     if before.strip(" \t-–—*•.:([") and behind.strip(" \t-–—.:)]"):
         return None
     start, rest = (0, before) if before.strip(" \t-–—*•.:([") else (end, behind)
     found = NAMED.search(rest)
-    if found is None or len(found[0].split()) > LONGEST or _orders(draft, start + found.start()):
+    if found is None:
+        return None
+    name = start + found.start(), start + found.end()
+    # "Bath, books, bed at seven"; but "Mr Hill had his tablets at six"
+    entry = draft.beside and draft.text[first].isdigit() and not _orders(draft, name[0])
+    if len(found[0].split()) > LONGEST or not (entry or _lists_things(found[0], draft)):
         return None
     closed, said = draft.lexicon.closed, {word.text for word in words_of(found[0])}
     if said & (closed.present_be | closed.past_be | closed.have | closed.subject_pronouns):
         # "The guests are late, call mum at nine" tells something, and asks.
         return None
-    return start + found.start(), start + found.end()
+    return name
+
+
+def _lists_things(name: str, draft: Draft) -> bool:
+    """Whether commas alone join things, each named by a word or two: "bath, books, bed"."""
+    things = [words_of(thing) for thing in name.split(",")]
+    plain = all(0 < len(words) <= SHORT and all(word.is_letters for word in words) for words in things)
+    # "Sam, dinner at seven"
+    others = draft.lexicon.function_words | draft.lexicon.persons | draft.lexicon.people
+    small = others.intersection(word.text for words in things for word in words)
+    ordered = len(things[0]) > 1 and things[0][0].text in draft.lexicon.orders | draft.lexicon.addressing
+    return len(things) > 1 and plain and not small and not ordered
 
 
 def _orders(draft: Draft, start: int) -> bool:
