@@ -45,7 +45,7 @@ from fuzzytime.language.sentence.segments.told.gaps import with_gaps
 from fuzzytime.language.sentence.segments.told.messages import Message, messages_of, orders_beside, remarks_of
 from fuzzytime.language.sentence.segments.told.notes import notes_of
 from fuzzytime.language.sentence.segments.told.reasons import without_threats
-from fuzzytime.language.sentence.segments.told.told_apart import with_told_apart
+from fuzzytime.language.sentence.segments.told.told_apart import with_brackets_apart, with_told_apart
 from fuzzytime.language.sentence.segments.told.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source
 from fuzzytime.language.sentence.trees.tree import Trees
@@ -57,6 +57,9 @@ NOTED = "is taken as a note, and not planned"
 
 HEADED = "heading"
 """The rule of a time that a line above says."""
+
+READ_APART = (with_gaps, said_apart, with_prepared_for, without_threats, with_told_apart, with_brackets_apart)
+"""What gives a text of the same length in which more is told apart, in the order of their reading."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,7 +227,7 @@ def _without_parts(
     bounds = beside_each_other(asides_of_hours(scanned), asides_of_needs(scanned))
     asides = beside_each_other(lengths, bounds)
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
-    for said in (with_gaps, said_apart, with_prepared_for, without_threats, with_told_apart):
+    for said in READ_APART:
         scanned = _again(scanned, said(scanned), grammar)
     scanned, instances = instances_of(scanned, grammar)
     phrases, remarks = corrected(scanned, phrases_of(scanned))

@@ -31,8 +31,8 @@ class Naming(Standing):
             # "March 3 steps forward"
             return not self.around.may_end(piece)
         if said.preposition is None and wall.clock is not None and self.around.is_owned(piece):
-            # "Cancel my three o'clock", "move tomorrow's ten o'clock"
-            return True
+            # "Cancel my three o'clock", "move tomorrow's ten o'clock"; but "lunch at Nan's 1ish"
+            return not self._is_at_home(piece)
         if (wall.clock is not None and self._is_called(piece, said, wall)) or self.around.is_of_several(
             piece.start
         ):
@@ -60,6 +60,12 @@ class Naming(Standing):
             and self.texts[piece.start] in self.closed.possessives
             and not self.around.may_end(piece)
         )
+
+    def _is_at_home(self, piece: Piece) -> bool:
+        """Whether somebody's home stands before it, and it is more than a number."""
+        at, owner = ["", "", *self.texts[: piece.start]][-2:]
+        home = at in self.beside.whereabouts and owner.endswith("'s")
+        return home and piece.end > piece.start + 1 and self.around.may_end(piece)
 
     def _is_beside_event(self, piece: Piece, wall: Wall) -> bool:
         """Whether it counts from what is named behind it, or is not: "the day before the flight"."""

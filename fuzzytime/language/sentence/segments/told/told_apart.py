@@ -12,6 +12,9 @@ from fuzzytime.language.sentence.segments.told.asides_of_hours import before_in_
 from fuzzytime.language.sentence.segments.told.asides_of_needs import MARKS
 from fuzzytime.requirement import MOMENTS, Constraint
 
+APART = ";"
+"""The mark in front of what is told apart, in place of its bracket."""
+
 STOP, IS = ".", ("'s", "’s")
 LONGEST = 4
 """Words of "my best blue shirt" at most."""
@@ -38,6 +41,32 @@ def with_told_apart(scanned: Scanned) -> str:
     for mark in stops:
         text = text[: words[mark].start] + STOP.ljust(len(words[mark].text)) + text[words[mark].end :]
     return text
+
+
+def with_brackets_apart(scanned: Scanned) -> str:
+    """Give a text of the same length where brackets with an hour of their own are told apart.
+
+    So they are behind what has its hour: "party at eight (doors open at 7:30)"; but "party (at eight)".
+    """
+    words, text = scanned.words, scanned.text
+    opened = [place for place, word in enumerate(words) if word.text == "("] if ")" in text else []
+    phrases = phrases_of(scanned) if opened else ()
+    timed = places_in(phrases)
+    for place in opened:
+        end = next((p for p in range(place, len(words)) if words[p].text == ")"), place)
+        named = [words[p].text for p in range(place + 1, end) if words[p].is_letters and p not in timed]
+        own = any(_says_hour(one) and place < one.first and one.end <= end for one in phrases)
+        before = any(_says_hour(one) and one.end <= place for one in phrases)
+        first = words[place + 1].text if place + 1 < end else ""
+        if named and own and before and first not in scanned.lexicon.function_words:
+            inside = text[words[place].end : words[end].start]
+            text = f"{text[: words[place].start]}{APART}{inside} {text[words[end].end :]}"
+    return text
+
+
+def _says_hour(phrase: Phrase) -> bool:
+    """Whether a time says at which hour something is, or on which side of it."""
+    return phrase.said.wall.clock is not None and phrase.said.constraint is not Constraint.FOR
 
 
 def _is_of_day(scanned: Scanned, phrase: Phrase) -> bool:
