@@ -155,7 +155,7 @@ class Gathering:
             self.skills[place] = self.maker.how_long.by_itself(self.skills[place])
         step = instruction
         if listed and self.rows.begun:
-            step = since_the_step_before(without_now(instruction), *given)
+            step = since_the_step_before(without_now(instruction), reading, *given)
         if self._is_of_what_comes(step):
             self.waiting.append((len(self.links.instructions), wish, reading, step))
             return range(0)

@@ -63,8 +63,8 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
     if operation.lemma in lexicon.doing.by_then:
         return None
     whole = lexicon.beside.all_through
-    if operation.lemma in lexicon.doing.by_itself | lexicon.timing:
-        # "Incubate overnight"; but "run the dishwasher overnight"
+    if operation.lemma in lexicon.doing.left_overnight | lexicon.letting | lexicon.timing:
+        # "Incubate overnight", "let it dry overnight"; but "run the dishwasher overnight"
         whole |= lexicon.beside.through_the_night
     ends = [
         part.latest

@@ -112,6 +112,7 @@ class Doing(NamedTuple):
     meeting: Words
     resting: Words
     by_itself: Words
+    left_overnight: Words
     watching: Words
     past_alike: Words
     calling_up: Words

@@ -32,6 +32,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments.lists.numbered_periods import NumberedPeriod, numbered_periods
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, timed_lines
 from fuzzytime.language.sentence.segments.lists.unmarked import with_marks_between
 from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
@@ -96,6 +97,7 @@ class Draft:
     names for it; one that ``leads`` names that of the lines below, and a ``listed`` one is among lines with
     times, as one ``beside`` others may have none. What is ``needed`` is only named. ``instances`` are several
     of one kind, of which each has a time, ``orders`` the words that say where something comes among others.
+    ``period`` is the week, or day, of a plan that it begins with.
     """
 
     text: str
@@ -114,6 +116,7 @@ class Draft:
     needed: bool = False
     instances: Instances = NONE
     orders: tuple[tuple[Span, Order], ...] = ()
+    period: NumberedPeriod | None = None
 
     @property
     def lexicon(self) -> Lexicon:
@@ -154,6 +157,12 @@ def drafted(
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     entries = [(text, with_joints(without_bullets(text), lexicon), now) for text, now in texts]
+    periods = numbered_periods([(entry, now) for _, entry, now in entries], lexicon) if together else []
+    periods = periods or [None] * len(entries)
+    entries = [
+        (text, entry if period is None else blanked(entry, (period.span,)), now)
+        for (text, entry, now), period in zip(entries, periods, strict=True)
+    ]
     listed = [without_marks(entry, list_marks(entry, lexicon)) for _, entry, _ in entries]
     timed = timed_lines(listed, lexicon) if together else [Timed.NO] * len(listed)
     measured = together and any(says_lengths(words_of(entry), lexicon) for entry in listed)
@@ -173,8 +182,9 @@ def drafted(
             ),
             orders=source.orders,
             beside=together and len(texts) > 1,
+            period=period,
         )
-        for draft, source, parts in zip(drafts, sources, parted(sources, trees), strict=True)
+        for draft, source, parts, period in zip(drafts, sources, parted(sources, trees), periods, strict=True)
     ]
 
 

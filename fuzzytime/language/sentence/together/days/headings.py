@@ -15,6 +15,14 @@ from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.segments.lists.heads import is_meal
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.together.days.dated_lines import heads_lines, with_dates
+from fuzzytime.language.sentence.together.days.periods_above import (
+    in_week,
+    is_plan_title,
+    plan_period,
+    week_of,
+    when_begun,
+    with_plan,
+)
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
     begins_order,
@@ -42,20 +50,33 @@ CALLED = 2
 def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     """Give drafts of lines said at one moment, each with the time that the nearest line above names alone.
 
-    A part of the day, or a clause, is of the day that a line above it names.
+    A part of the day, or a clause, is of the day that a line above it names, and a weekday of the week.
     """
-    drafts = with_dates(drafts)
-    headings = [_heading_of(draft, heads=heads_lines(drafts, place)) for place, draft in enumerate(drafts)]
+    drafts = with_plan(with_dates(drafts))
+    headings = [
+        (plan_period(draft) if is_plan_title(drafts, place) else None)
+        or _heading_of(draft, heads=heads_lines(drafts, place))
+        for place, draft in enumerate(drafts)
+    ]
     if headings and headings[0] is None:
         headings[0] = title_of(drafts) or (_list_of(drafts[0]) if len(drafts) > 1 else None)
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
+    week: Calendar | None = None
     latest = 0
     for place, draft in enumerate(drafts):
         if place and draft.now != drafts[place - 1].now:
-            heading = day = None
-        named = headings[place]
+            heading = day = week = None
+        named, begun = headings[place], plan_period(draft)
+        if begun is not None:
+            heading, day, week = begun, begun, week_of(begun)
+            draft = replace(draft, remarks=(*draft.remarks, *when_begun(draft)))  # noqa: PLW2901
+        if named is not None:
+            named = replace(named, phrases=in_week(named.phrases, week))
+            week = week_of(named) or week
+        else:
+            draft = replace(draft, phrases=in_week(draft.phrases, week))  # noqa: PLW2901
         hours = [] if heading is None or named is not None else clocks_in(draft)
         if heading is not None and _is_over(heading, hours, latest):
             heading = _of_whole_day(heading) or day
@@ -119,7 +140,8 @@ def _holds(headings: Sequence[Heading | None], place: int) -> bool:
     heading, below = headings[place], headings[place + 1 : place + 2]
     if heading is None or not below:
         return False
-    return below[0] is None or (heading.is_day and not below[0].is_day)
+    finer = not below[0].is_day or (week_of(heading) and not week_of(below[0])) if below[0] else True
+    return below[0] is None or (heading.is_day and bool(finer))
 
 
 def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
@@ -261,8 +283,8 @@ def _on_day(heading: Heading, above: Heading | None) -> Heading:
 def read_heading(draft: Draft) -> Reading:
     """Give the reading of a time that holds for the lines below it."""
     heading = draft.heading or Heading(draft.text, draft.text, draft.scanned)
-    remark = _remark_on(heading, (0, len(draft.text)))
-    return Reading(text=draft.text, now=draft.now, instructions=(), remarks=(remark,))
+    remarks = when_begun(draft) or (_remark_on(heading, (0, len(draft.text))),)
+    return Reading(text=draft.text, now=draft.now, instructions=(), remarks=remarks)
 
 
 def _remark_on(heading: Heading, span: Span) -> Remark:
