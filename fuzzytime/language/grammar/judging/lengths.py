@@ -7,6 +7,12 @@ from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.meaning.expressions import Duration, Said
 from fuzzytime.requirement import BOUNDS, Constraint, Unit
 
+SHORT = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
+"""Units of how long exercises, and steps, go on."""
+
+FURTHER = frozenset({"and", "then"})
+"""Words behind which another of them is said."""
+
 ELAPSED = "elapsed."
 """How the names of rules begin of lengths that have passed."""
 
@@ -155,9 +161,15 @@ class Lengths(Standing):
         ):
             # "Two hours coding, then lunch", "spend an hour cleaning", "take ten minutes to tidy up"
             return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
-        # "3 x 5 min planks"
-        often = opens and "x" in self.texts[piece.start : piece.end] and follower.isalpha()
-        return often or follower in self.lexicon.lasting or self.around.may_end(piece)
+        named = (not before[:1].isalnum() or before in FURTHER) and self._is_in_front(piece, follower)
+        return named or follower in self.lexicon.lasting or self.around.may_end(piece)
+
+    def _is_in_front(self, piece: Piece, follower: str) -> bool:
+        """Whether what is gone on with for so long stands behind it: "30 seconds plank", "20 min yoga"."""
+        duration = piece.value.time if isinstance(piece.value, Said) else None
+        short = isinstance(duration, Duration) and all(unit in SHORT for _, unit in duration.terms)
+        others = self.lexicon.function_words | self.beside.no_activities
+        return short and follower.isalpha() and follower not in others
 
     def _is_before_marker(self, place: int) -> bool:
         return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None

@@ -319,6 +319,7 @@ class BesideTimes(NamedTuple):
     open_things: Words
     limited: Words
     through_the_night: Words
+    no_activities: Words
     all_through: Words
     awaited_in_a_stretch: Words
     sites: Words

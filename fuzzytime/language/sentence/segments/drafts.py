@@ -200,7 +200,7 @@ def _source_of(draft: Draft) -> Source:
         draft.now, draft.scanned, phrases, draft.remarks, apart=apart, meanwhile=meanwhile, further=further
     )
     said = draft.scanned.words, source.covered, draft.lexicon
-    openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases))
+    openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases, draft.lexicon))
     orders = tuple(order_words(*said))
     return replace(source, orders=orders, openings=openings)
 
