@@ -21,12 +21,16 @@ TAG = re.compile(
 
 HOUR = r"(?:2[0-3]|[01]?\d)(?:[.:h]|(?<=[01]\d))[0-5]\d(?:\s?[ap]m)?"
 FRONT = r"^[ \t]*(?:[-+*•–][ \t]+)?(?:\[[ \t]?\][ \t]+)?(?:\d{1,2}[.)][ \t]+)?"
+HALF = r"[ \t]?[ap]\.?m\b"
+OF_HALF = rf"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?{HALF}"
 EMPHASIS = r"(?P<open>\*{1,2}|__)(?=[\w([])[^*_\n]*(?<=\S)(?P<close>(?P=open))(?!\w)"
 _UNSAID = (
     rf"{FRONT}(?:\d[\d.:–-]*[ \t]+)?{EMPHASIS}",
     rf"{FRONT}(?P<open>\|)|(?P<close>\|)[ \t]*$",
     r"^[ \t]*(?P<open>[-+*•–]|>+)(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
     rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+=)(?P<close>)(?=[ \t]|[^\W\d])",
+    rf"{FRONT}{OF_HALF}(?P<open>\.)(?P<close>)(?=[ \t]+[^\W\d])",
+    rf"{FRONT}(?:{HOUR}|{OF_HALF}\.?)(?P<open>—|--|[-–](?=[ \t]))(?P<close>)(?=[ \t]*[^\W\d])",
     rf"{FRONT}[^\W\d][^\n,\d]*(?P<open>,)(?P<close>)(?=[ \t]+{HOUR}(?:$|,|[ \t]+[(\[]))",
     rf"{FRONT}[^\d\n]*(?P<open>[(\[]){HOUR}(?:\s?[-–]\s?{HOUR})?(?P<close>[)\]])",
     r"(?<=[^\W\d])[ \t]?(?P<open>\.{2,})(?P<close>)(?=[ \t]?\d)",

@@ -13,6 +13,7 @@ from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.segments.lists.heads import is_meal
+from fuzzytime.language.sentence.segments.lists.things_needed import is_marked
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.together.days.dated_lines import heads_lines, with_dates
 from fuzzytime.language.sentence.together.days.periods_above import (
@@ -55,7 +56,7 @@ def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     drafts = with_plan(with_dates(drafts))
     headings = [
         (plan_period(draft) if is_plan_title(drafts, place) else None)
-        or _heading_of(draft, heads=heads_lines(drafts, place))
+        or _heading_of(draft, heads=heads_lines(drafts, place), above=_is_above_marks(drafts, place))
         for place, draft in enumerate(drafts)
     ]
     if headings and headings[0] is None:
@@ -144,8 +145,17 @@ def _holds(headings: Sequence[Heading | None], place: int) -> bool:
     return below[0] is None or (heading.is_day and bool(finer))
 
 
-def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
-    """Give what a line names that says a time, and nothing else, or that ``heads`` others."""
+def _is_above_marks(drafts: Sequence[Draft], place: int) -> bool:
+    """Whether a line without a bullet stands above one with it: "Once a month", "- Degrease the chain"."""
+    here, below = drafts[place], drafts[place + 1 : place + 2]
+    return not is_marked(here.text) and here.step is None and any(is_marked(one.text) for one in below)
+
+
+def _heading_of(draft: Draft, *, heads: bool, above: bool) -> Heading | None:
+    """Give what a line names that says a time, and nothing else, or that ``heads`` others.
+
+    ``above`` lines with marks it may be any time.
+    """
     if heads:
         return Heading(name_of(draft), draft.text, draft.scanned, held(draft, draft.phrases))
     marked = draft.text.rstrip(" *_").endswith(":")
@@ -156,9 +166,9 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
         return Heading(name_of(draft), draft.text, draft.scanned, held(draft, days))
     if marked and (hours := hours_of(draft)) is not None:
         return hours
-    if len(draft.parts) != 1 or not (marked or len(draft.phrases) == 1):
+    if len(draft.parts) != 1 or not (marked or above or len(draft.phrases) == 1):
         return None
-    if marked:
+    if marked or above:
         sketch = sketch_of(draft, draft.parts[0])
         phrases, clauses = sketch.phrases, sketch.clauses
     else:
@@ -171,7 +181,7 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
     if _says_more(draft, heard) and not titled:
         return None
     part = phrases[0].said.wall.part if phrases else None
-    if (not marked and not is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
+    if (not (marked or above) and not is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
         return None
     if not marked and part is not None and part.meal and not part.place:
         # "Sunday lunch" is one.
