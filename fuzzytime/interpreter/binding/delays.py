@@ -10,6 +10,7 @@ from fuzzytime.requirement import Anchor, Condition, Constraint, Edge, TimeRequi
 
 AFTER = "after"
 UNTIL = "until"
+FOR = "for"
 
 
 def since_the_step_before(
@@ -33,7 +34,11 @@ def since_the_step_before(
     last = skills[before[target][turn]]
     shared = last.instruction.requirements if last.reading is reading and last.instruction else ()
     counted = {part.span for part in shared if _is_distance(part)}
-    own = (part for part in instruction.requirements if part.span not in counted or not _is_distance(part))
+    own = [
+        part
+        for part in instruction.requirements
+        if not ((part.span in counted and _is_distance(part)) or _is_opening(part, reading, before, skills))
+    ]
     requirements = tuple(_counted(part, target, turn, last, lexicon) for part in own)
     return replace(instruction, requirements=requirements)
 
@@ -83,6 +88,16 @@ def _counted(
 
 def _is_distance(part: TimeRequirement) -> bool:
     return part.preposition == AFTER and part.unit is not None
+
+
+def _is_opening(
+    part: TimeRequirement, reading: Reading, before: Sequence[range], skills: Sequence[Interpreted]
+) -> bool:
+    """Whether it is at the beginning of the step itself: "for the first minute"; none above goes on."""
+    opens = part.constraint is Constraint.BETWEEN and part.text.split()[:1] == [FOR]
+    target = None if part.anchor is None else part.anchor.target
+    within = target is not None and any(skills[place].reading is reading for place in before[target])
+    return opens and not within and (part.anchor is None or part.anchor.verb is None)
 
 
 def _is_end_before(part: TimeRequirement, anchor: Anchor, last: int, lexicon: Lexicon) -> bool:

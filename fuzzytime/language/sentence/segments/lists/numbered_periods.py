@@ -12,7 +12,7 @@ from fuzzytime.language.meaning.days.relations import Numbered
 from fuzzytime.requirement import Unit
 
 MARK = re.compile(
-    r"[\s>*#•+-]*(?P<name>(?P<unit>[a-z]+)\s+(?P<number>\d{1,2})(?:\s?[-–—]\s?(?P<last>\d{1,2}))?)"
+    r"[\s>*#•+-]*(?P<name>(?P<unit>[a-z]+)\s+(?P<number>\d{1,2}|[a-z]+)(?:\s?[-–—]\s?(?P<last>\d{1,2}))?)"
     r"[\s*]*(?:[:.)–—-][\s*]*|(?=\()|\Z)",
     re.IGNORECASE,
 )
@@ -61,9 +61,16 @@ def _marks_in(text: str, lexicon: Lexicon) -> list[tuple[Span, str, Numbered]]:
     unit = next((entry.value.unit for entry in entries if entry.category == "unit"), None)
     if match is None or unit not in COUNTED:
         return []
-    first, last = int(match["number"]), int(match["last"] or match["number"])
+    first = _number(match["number"], lexicon)
+    last = _number(match["last"] or match["number"], lexicon)
+    if first is None or last is None:
+        return []
     days = Numbered(first, unit, last - first + 1)
     return [((match.start("name"), match.end()), match["name"], days)] if first <= last else []
+
+
+def _number(said: str, lexicon: Lexicon) -> int | None:
+    return int(said) if said.isdigit() else lexicon.numbers.get(said.lower())
 
 
 def _is_over(days: Numbered, now: datetime | None) -> bool:
