@@ -95,9 +95,12 @@ def _is_opening(
 ) -> bool:
     """Whether it is at the beginning of the step itself: "for the first minute"; none above goes on."""
     opens = part.constraint is Constraint.BETWEEN and part.text.split()[:1] == [FOR]
-    target = None if part.anchor is None else part.anchor.target
-    within = target is not None and any(skills[place].reading is reading for place in before[target])
-    return opens and not within and (part.anchor is None or part.anchor.verb is None)
+    if not opens or part.anchor is None:
+        return opens
+    target = part.anchor.target
+    known = before[target] if target is not None and target < len(before) else ()
+    within = any(skills[place].reading is reading for place in known)
+    return part.anchor.verb is None and not within
 
 
 def _is_end_before(part: TimeRequirement, anchor: Anchor, last: int, lexicon: Lexicon) -> bool:

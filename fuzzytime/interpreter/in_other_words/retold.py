@@ -166,7 +166,8 @@ def _is_all_through(part: TimeRequirement, whole: Collection[str]) -> bool:
     if part.constraint is not Constraint.BETWEEN or part.earliest is None or part.latest is None:
         return False
     said = part.latest - part.earliest <= A_DAY and part.recurrence is None
-    return said and any(word in whole for word in part.text.lower().split())
+    text = f" {part.text.lower()} "
+    return said and any(f" {form} " in text for form in whole)
 
 
 def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:

@@ -216,7 +216,7 @@ class _Composer:
             operation=operation,
             requirements=tuple(requirements),
             named=ground_all(sketch.named, text, self.moment).requirements,
-            duration=_opening(sketch, operation) if duration is None else duration,
+            duration=_opening(sketch, operation, requirements) if duration is None else duration,
             repeats=next((part.recurrence for part in requirements if part.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,
             length_of=told,
@@ -304,10 +304,13 @@ class _Composer:
             self.moment = replace(self.moment, day=said.day, event=event)
 
 
-def _opening(sketch: Sketch, operation: Operation | None) -> float | None:
+def _opening(
+    sketch: Sketch, operation: Operation | None, requirements: Sequence[TimeRequirement]
+) -> float | None:
     """Give how long something goes on that is done for the beginning of something: "for the first minute"."""
-    asked = operation is not None and operation.is_asked and not operation.negated
+    denied = operation is None or operation.negated or any(part.denied for part in requirements)
     lengths = [length.seconds for phrase in sketch.phrases if (length := opening_of(phrase.said)) is not None]
+    asked = operation is not None and operation.is_asked and not denied
     return lengths[0] if asked and len(lengths) == 1 else None
 
 

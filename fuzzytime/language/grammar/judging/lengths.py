@@ -1,5 +1,7 @@
 """Whether a length of time is one where it stands, and not a difference, a share or a distance."""
 
+from itertools import islice, takewhile
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.lexicon import longest_match
@@ -9,6 +11,9 @@ from fuzzytime.requirement import BOUNDS, Constraint, Unit
 
 SHORT = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 """Units of how long exercises, and steps, go on."""
+
+DESCRIBED = 5
+"""Words from a length to what lasts so long, at most: "a 5-minute gentle cool-down walk"."""
 
 FURTHER = frozenset({"and", "then"})
 """Words behind which another of them is said."""
@@ -162,7 +167,15 @@ class Lengths(Standing):
             # "Two hours coding, then lunch", "spend an hour cleaning", "take ten minutes to tidy up"
             return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
         named = (not before[:1].isalnum() or before in FURTHER) and self._is_in_front(piece, follower)
-        return named or follower in self.lexicon.lasting or self.around.may_end(piece)
+        return named or self._is_of_lasting(piece) or self.around.may_end(piece)
+
+    def _is_of_lasting(self, piece: Piece) -> bool:
+        """Whether what lasts stands behind it: "a ten minute walk", "a 20-minute easy warm-up jog"."""
+        others = self.lexicon.function_words | self.beside.no_activities
+        near = takewhile(
+            lambda text: text == "-" or (text.isalpha() and text not in others), self.texts[piece.end :]
+        )
+        return not self.lexicon.lasting.isdisjoint(islice(near, DESCRIBED))
 
     def _is_in_front(self, piece: Piece, follower: str) -> bool:
         """Whether what is gone on with for so long stands behind it: "30 seconds plank", "20 min yoga"."""

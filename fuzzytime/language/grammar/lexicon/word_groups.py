@@ -318,6 +318,7 @@ class BesideTimes(NamedTuple):
     lists: Words
     open_things: Words
     limited: Words
+    straight_to: Words
     through_the_night: Words
     no_activities: Words
     all_through: Words

@@ -236,14 +236,14 @@ def _may_begin(tree: Tree, place: int) -> bool:
 
 def _is_counted(tree: Tree, place: int) -> bool:
     """Whether a noun is counted: "below 2 bar", "before the last frost"; but "at 70 turn it on"."""
-    before, ends = tree.nodes[place - 1], tree.lexicon.closed.ends_of_rows
+    ends = tree.lexicon.closed.ends_of_rows
+    one = any(tree.nodes[p].lower in ends for p in tree.children(place, "amod") if p < place)
     node, following = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     acts = any(
         behind.tag in OPENING or node.lower in tree.lexicon.particles.get(behind.lower, ())
         for behind in following
     )
-    one = before.lower in ends and before.relation == "amod" and before.head == place
-    return (before.tag == "CD" or one) and node.tag == "NN" and not acts
+    return (tree.nodes[place - 1].tag == "CD" or one) and node.tag == "NN" and not acts
 
 
 def is_order(tree: Tree) -> bool:
