@@ -194,7 +194,7 @@ class Judge(Around):
         return short or not closed.alternatives.isdisjoint(behind[:1])
 
     def _is_more(self, piece: Piece) -> bool:
-        """Whether a time word is part of more: of a clause, or of what says which time, or where, is meant."""
+        """Whether a time word is part of more: of a clause, or of which time, or way, is meant."""
         to = self.texts[piece.end - 1] in self.beside.straight_to
         if to and self.around.follower(piece) in self.beside.whereabouts | self.beside.away_from:
             # "Bake it directly from the fridge"
