@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
     remarks_of_tags,
+    step_titles,
     with_joints,
     without_bullets,
 )
@@ -55,6 +56,8 @@ NAMING = "name"
 """The rule of a clock time that names an event."""
 
 NOTED = "is taken as a note, and not planned"
+
+TITLED = "is taken as a title, and not planned"
 
 HEADED = "heading"
 """The rule of a time that a line above says."""
@@ -157,11 +160,14 @@ def drafted(
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     entries = [(text, with_joints(without_bullets(text), lexicon), now) for text, now in texts]
-    periods = numbered_periods([(entry, now) for _, entry, now in entries], lexicon) if together else []
-    periods = periods or [None] * len(entries)
+    said = entries if together else []
+    periods = numbered_periods([(entry, now) for _, entry, now in said], lexicon) or [None] * len(entries)
+    titles = step_titles([text for text, *_ in said], trees, lexicon) or [()] * len(entries)
+    fronts = [
+        (*title, *((period.span,) if period else ())) for title, period in zip(titles, periods, strict=True)
+    ]
     entries = [
-        (text, entry if period is None else blanked(entry, (period.span,)), now)
-        for (text, entry, now), period in zip(entries, periods, strict=True)
+        (text, blanked(entry, front), now) for (text, entry, now), front in zip(entries, fronts, strict=True)
     ]
     listed = [without_marks(entry, list_marks(entry, lexicon)) for _, entry, _ in entries]
     timed = timed_lines(listed, lexicon) if together else [Timed.NO] * len(listed)
@@ -179,12 +185,17 @@ def drafted(
                 *draft.remarks,
                 *remarks_of(draft.text, draft.messages),
                 *remarks_of_tags(draft.text, leading_tags(draft.text)),
+                *(Remark.noted(draft.text, span, TITLED) for span in title),
             ),
             orders=source.orders,
             beside=together and len(texts) > 1,
             period=period,
+            # Steps that each have a title are done in turn.
+            step=place if title and draft.step is None else draft.step,
         )
-        for draft, source, parts, period in zip(drafts, sources, parted(sources, trees), periods, strict=True)
+        for place, (draft, source, parts, period, title) in enumerate(
+            zip(drafts, sources, parted(sources, trees), periods, titles, strict=True), 1
+        )
     ]
 
 

@@ -6,6 +6,7 @@ from functools import cache
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, Span, blanked
+from fuzzytime.language.sentence.trees.tree import Trees
 
 TAGS = re.compile(r"(?:\s+[#^][^\W\d][\w/-]*)+[ \t]*$", re.MULTILINE)
 """Marks behind it that sort it among others: "call Ann at nine #work #urgent"."""
@@ -48,8 +49,31 @@ Then those of links, of which the words are read and not where they lead, and wh
 """
 
 MARK = r"(?:[-,:…]|\.{2,})"
+SEVERAL = 2
+"""Steps with titles, at least."""
+
 LABEL = re.compile(rf"^\s*{BOX}(?P<label>[^\W\d][\w.]*(?:[ -]\w+)?)(?:[ \t]+-|:)[ \t]+(?=\w)", re.MULTILINE)
 """A word with a colon or a dash behind it, or two, before more on the same line."""
+
+
+TITLE = re.compile(
+    rf"^\s*{BOX}(?:\d{{1,2}}[.)]\s+)?"
+    r"(?P<title>[A-Z][\w'’-]*(?: (?:[A-Z][\w'’-]*|[a-z]{1,3}|&))+:)\s+(?=[A-Z][^:\n]*\s[^:\n]*\s\w)"
+)
+"""Words with capitals and a colon, before a sentence on the same line."""
+
+
+def step_titles(texts: Sequence[str], trees: Trees, lexicon: Lexicon) -> list[tuple[Span, ...]]:
+    """Give what each of several steps begins with that names what it says: "Heat the Sauce: Put it on low …".
+
+    One line alone may ask for two things, and a name calls who is asked.
+    """
+    found = [TITLE.match(text) for text in texts]
+    titles = [match["title"] for match in found if match is not None]
+    parsed = trees(titles) if len(titles) >= SEVERAL else []
+    acting = (tree.nodes[0] for tree in parsed)
+    named = bool(parsed) and all(one.may_act and one.lower not in lexicon.persons for one in acting)
+    return [(match.span("title"),) if named and match is not None else () for match in found]
 
 
 def leading_tags(text: str) -> list[Span]:
