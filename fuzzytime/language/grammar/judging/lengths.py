@@ -1,6 +1,6 @@
 """Whether a length of time is one where it stands, and not a difference, a share or a distance."""
 
-from itertools import islice, takewhile
+from itertools import takewhile
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
@@ -14,9 +14,6 @@ SHORT = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 
 DESCRIBED = 5
 """Words from a length to what lasts so long, at most: "a 5-minute gentle cool-down walk"."""
-
-FURTHER = frozenset({"and", "then"})
-"""Words behind which another of them is said."""
 
 ELAPSED = "elapsed."
 """How the names of rules begin of lengths that have passed."""
@@ -74,7 +71,7 @@ class Lengths(Standing):
                 said.preposition is None and last.bare_end and not away
             )
         if said.constraint is Constraint.FOR and said.preposition is None:
-            return self._accepts_length(piece)
+            return self._accepts_length(piece, duration)
         return True
 
     def _is_before_thing(self, piece: Piece) -> bool:
@@ -149,7 +146,7 @@ class Lengths(Standing):
         """Whether a number without a unit counts units behind it: "in two business days"."""
         return any(self.around.is_unit(place) for place in (piece.end, piece.end + 1))
 
-    def _accepts_length(self, piece: Piece) -> bool:
+    def _accepts_length(self, piece: Piece, duration: Duration) -> bool:
         """Whether a length of time without a preposition says how long something takes."""
         # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
         follower, before = self.around.follower(piece), self.around.before(piece)
@@ -161,28 +158,24 @@ class Lengths(Standing):
             giving = self.lexicon.doing.giving
             given = not giving.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
             return before in self.lexicon.doing.spending or ((opens or given) and named)
-        if before in self.lexicon.doing.spent or (
-            follower.endswith("ing") and (opens or before in self.lexicon.doing.spending)
-        ):
-            # "Two hours coding, then lunch", "spend an hour cleaning", "take ten minutes to tidy up"
-            return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
-        named = (not before[:1].isalnum() or before in FURTHER) and self._is_in_front(piece, follower)
-        return named or self._is_of_lasting(piece) or self.around.may_end(piece)
+        cleaning = follower.endswith("ing")
+        if before in self.lexicon.doing.spent or (cleaning and before in self.lexicon.doing.spending):
+            # "Spend an hour cleaning", "take ten minutes to tidy up"
+            return cleaning or follower == "to" or self.around.may_end(piece)
+        return self._goes_before(piece, duration, opens=opens) or self.around.may_end(piece)
 
-    def _is_of_lasting(self, piece: Piece) -> bool:
-        """Whether what lasts stands behind it: "a ten minute walk", "a 20-minute easy warm-up jog"."""
+    def _goes_before(self, piece: Piece, duration: Duration, *, opens: bool) -> bool:
+        """Whether what lasts so long stands behind it: "a 20-minute easy jog", "30 seconds plank"."""
         others = self.lexicon.function_words | self.beside.no_activities
-        near = takewhile(
-            lambda text: text == "-" or (text.isalpha() and text not in others), self.texts[piece.end :]
+        behind = self.texts[piece.end :]
+        near = [*takewhile(lambda text: text == "-" or (text.isalpha() and text not in others), behind)]
+        # "Two days hiking", "20 min yoga"
+        short = all(unit in SHORT for _, unit in duration.terms) or self.around.follower(piece).endswith(
+            "ing"
         )
-        return not self.lexicon.lasting.isdisjoint(islice(near, DESCRIBED))
-
-    def _is_in_front(self, piece: Piece, follower: str) -> bool:
-        """Whether what is gone on with for so long stands behind it: "30 seconds plank", "20 min yoga"."""
-        duration = piece.value.time if isinstance(piece.value, Said) else None
-        short = isinstance(duration, Duration) and all(unit in SHORT for _, unit in duration.terms)
-        others = self.lexicon.function_words | self.beside.no_activities
-        return short and follower.isalpha() and follower not in others
+        return not self.lexicon.lasting.isdisjoint(near[:DESCRIBED]) or (
+            opens and short and near[:1] not in ([], ["-"])
+        )
 
     def _is_before_marker(self, place: int) -> bool:
         return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None

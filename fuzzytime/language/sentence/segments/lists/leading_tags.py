@@ -64,13 +64,13 @@ TITLE = re.compile(
 
 
 def step_titles(texts: Sequence[str], trees: Trees, lexicon: Lexicon) -> list[tuple[Span, ...]]:
-    """Give what each of several steps begins with that names what it says: "Heat the Sauce: Put it on low …".
+    """Give what at least half of some steps begin with that names what they say: "Heat the Sauce: Put …".
 
     One line alone may ask for two things, and a name calls who is asked.
     """
     found = [TITLE.match(text) for text in texts]
     titles = [match["title"] for match in found if match is not None]
-    parsed = trees(titles) if len(titles) >= SEVERAL else []
+    parsed = trees(titles) if len(titles) >= SEVERAL and len(texts) <= SEVERAL * len(titles) else []
     acting = (tree.nodes[0] for tree in parsed)
     named = bool(parsed) and all(one.may_act and one.lower not in lexicon.persons for one in acting)
     return [(match.span("title"),) if named and match is not None else () for match in found]
