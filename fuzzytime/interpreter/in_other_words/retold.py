@@ -76,6 +76,22 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
     return ends[0] if len(ends) == 1 else None
 
 
+def from_then_on(instruction: Instruction, lexicon: Lexicon, mornings: Collection[float]) -> Instruction:
+    """Let a step that is left to itself overnight be so from the step before on: "2. Chill it overnight".
+
+    It is the night behind those that other steps take up, until some ``mornings``.
+    """
+    said = instruction.requirements
+    end = until_then(instruction, lexicon)
+    if end is None or len(said) != 1 or not _is_all_through(said[0], lexicon.beside.through_the_night):
+        return instruction
+    end += A_DAY * sum(morning >= end for morning in set(mornings))
+    until = replace(
+        said[0], constraint=Constraint.BEFORE, preposition=UNTIL, earliest=None, latest=end, t_spec=end
+    )
+    return replace(instruction, requirements=(until,))
+
+
 def from_to(instruction: Instruction, given: datetime, lexicon: Lexicon) -> Instruction:
     """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
 
