@@ -12,6 +12,7 @@ from fuzzytime.interpreter.binding.in_order import Rows, without_now
 from fuzzytime.interpreter.binding.meanwhile import beside_what_lasts, going_on_by_itself
 from fuzzytime.interpreter.binding.references import Links
 from fuzzytime.interpreter.binding.steps import is_asked
+from fuzzytime.interpreter.in_other_words.retold import from_then_on
 from fuzzytime.interpreter.in_other_words.why_nothing import why_nothing
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import MAX_OCCURRENCES, Maker
@@ -155,7 +156,10 @@ class Gathering:
             self.skills[place] = self.maker.how_long.by_itself(self.skills[place])
         step = instruction
         if listed and self.rows.begun:
-            step = since_the_step_before(without_now(instruction), *given)
+            since = seconds_between(self.maker.request.now, wish.given)
+            mornings = [one.skill.until - since for one in self.skills if one.skill.until is not None]
+            step = from_then_on(without_now(instruction), self.maker.lexicon, mornings)
+            step = since_the_step_before(step, reading, *given)
         if self._is_of_what_comes(step):
             self.waiting.append((len(self.links.instructions), wish, reading, step))
             return range(0)

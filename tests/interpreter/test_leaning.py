@@ -22,6 +22,19 @@ DRESSER += [
 PROTOCOL = ["Thaw the samples for 20 minutes", "Label twelve tubes in the meantime", "Vortex the samples"]
 PROTOCOL += ["Incubate at 56 degrees for an hour", "Spin them down", "Load the columns", "Elute"]
 
+DIGEST = ["Thaw the enzyme on ice for 5 minutes", "Add it to the tubes and shake for 2 minutes"]
+DIGEST += [
+    "Heat the block to 37 degrees",
+    "Put the tubes in the block for 30 minutes",
+    "Spin the tubes for a minute",
+]
+
+CURD = [
+    "Warm the Milk: Pour it into the pan and heat for 10 minutes",
+    "Set the Curd: Add the rennet and leave for an hour",
+]
+CURD += ["Cut the Curd: Slice it into cubes"]
+
 
 @pytest.mark.parametrize("lines", [SOUP, DRESSER, PROTOCOL])
 def test_lines_that_lean_on_those_above_are_steps(lines: Sequence[str]) -> None:
@@ -63,3 +76,13 @@ def test_what_was_to_go_on_beside_what_keeps_the_hands_is_never_lost() -> None:
     assert starts(made) == {"s1": "07:00", "s2": "07:08", "s3": "07:11"}
     busy = ["Fry the onions at noon for 8 minutes", "Meanwhile boil the eggs"]
     assert "s2" in starts(told([*busy, "I have a meeting from 12:08 to 12:30"]))
+
+
+def test_lines_of_which_half_say_how_long_are_steps_where_half_go_on_with_a_thing_above() -> None:
+    made = starts(listed(DIGEST))
+    assert (made["s2"], made["s3"], made["s4"], made["s5"]) == ("07:05", "07:07", "07:12", "07:42")
+
+
+def test_steps_with_titles_are_done_in_turn() -> None:
+    made = starts(listed(CURD))
+    assert (made["s1"], made["s2.2"], made["s3"]) == ("07:00", "07:10", "08:10")

@@ -134,3 +134,34 @@ def test_turns_that_begin_while_the_hands_are_kept_are_done_in_passing() -> None
 def test_what_is_hung_to_dry_keeps_no_hands() -> None:
     made = listed(["Hang the film to dry for 3 hours", "Allow two hours to cool"])
     assert [one.skill.duration for one in made.skills] == [60, 60]
+
+
+def test_at_once_in_a_step_is_right_after_the_step_before() -> None:
+    made = starts(
+        listed(
+            _numbered(
+                "Chill the tubes for 20 minutes", "Warm them for 2 minutes", "Immediately chill them again"
+            )
+        )
+    )
+    assert made["s3"] == "07:22"
+
+
+def test_what_shares_a_delay_follows_and_counts_from_a_step_that_lasts_as_long() -> None:
+    made = starts(
+        listed(_numbered("Smoke the ham for 2 hours", "After 2 hours open the lid and spray the ham"))
+    )
+    assert (made["s2"], made["s2.2"]) == ("09:00", "09:00")
+
+
+def test_a_step_goes_on_until_a_state_and_not_until_a_step_before_it() -> None:
+    steps = _numbered("Let the loaf rise for an hour", "Bake it for half an hour, or until risen", "Cool it")
+    made = starts(listed(steps))
+    assert (made["s2"], made["s3"]) == ("08:00", "08:30")
+
+
+def test_for_the_first_minute_is_how_long_a_step_goes_on() -> None:
+    made = starts(
+        listed(_numbered("Soak the print for 4 minutes", "Rock the tray for the first 2 minutes", "Drain it"))
+    )
+    assert made["s3"] == "07:06"

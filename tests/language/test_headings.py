@@ -276,3 +276,46 @@ def test_a_count_of_all_is_no_hour_of_a_list() -> None:
     said = {time.text for times in _times(*lines) for time in times}
     assert said >= {"9.10", "9.40", "9.50"}
     assert "3" not in said
+
+
+def test_weeks_and_days_of_a_plan_count_from_one_on() -> None:
+    swim, bike, run = _times("Week One", "Tuesday: swim", "Thursday: bike", "Week 2:", "Tuesday: run")
+    assert [part.earliest for (part,) in (swim, bike, run)] == [n * DAY - 9 * 3600 for n in (6, 8, 13)]
+    first, rest, last = _times("Day 1: oil the chain", "Day 2: rest", "Days 3-4: true the wheels")
+    assert [part.earliest for (part,) in (rest, last)] == [n * DAY - 9 * 3600 for n in (1, 2)]
+    assert first[0].text == "Day 1"
+
+
+def test_days_of_a_plan_count_from_the_date_of_the_first() -> None:
+    _, paint = _times("Day 1 (Friday 6 March): sand the hull", "Day 2: paint it")
+    assert paint[0].earliest == 3 * DAY - 9 * 3600
+
+
+def test_a_week_alone_that_is_over_is_a_title_and_one_to_come_is_a_week() -> None:
+    assert _times("Week 3", "jog two laps")[0] == ()
+    order, sow = _times("Week 20: order seeds", "Week 21: sow the beans")
+    assert (sow[0].earliest or 0) - (order[0].earliest or 0) == 7 * DAY
+
+
+def test_weekdays_are_in_the_week_of_a_line_above() -> None:
+    tuesday, thursday = _times("Next week:", "Tuesday: glaze the pots", "Thursday", "- fire the kiln")
+    assert [tuesday[0].earliest, thursday[0].earliest] == [n * DAY - 9 * 3600 for n in (6, 8)]
+
+
+def test_a_repetition_heads_the_marked_lines_below_it() -> None:
+    first, second, third = _times(
+        "Once a month", "- bleed the brakes", "Every two years", "- swap the tank", "- flush it"
+    )
+    assert (first[0].recurrence, second[0].text, third[0].text) != (
+        None,
+        "Every two years",
+        "Every two years",
+    )
+    assert all(times[0].constraint is Constraint.EVERY for times in (first, second, third))
+
+
+def test_what_counts_from_an_event_itself_takes_no_distance_from_above() -> None:
+    leeks, beans = _times(
+        "9 weeks before last frost:", "- sow leeks", "2 weeks after last frost: plant beans"
+    )
+    assert [len(leeks), len(beans)] == [1, 1]

@@ -34,7 +34,7 @@ BOX = re.compile(
     r"""
       (?: [-*+•]\s+ )? (?: \[ (?P<tick>[ xX/>-]?) \] | (?P<sign>[☐☑☒✓✔✗✘]) ) \s+
     | (?: [-*+•]\s+ )? (?P<done> (?: DONE | CANCELL?ED )\b :? | x (?= \s+ \d{4}-\d\d-\d\d \s) ) \s+
-    | [•‣◦▪] \s*
+    | (?: [‣◦▪] \s* | •(?=\S) )
     """,
     re.VERBOSE,
 )

@@ -28,6 +28,7 @@ from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.skills import Precedence
 
 NOW = "now"
+AT_ONCE = frozenset({"immediately", "right now"})
 ON_THE_WAY = "on the way"
 
 
@@ -251,16 +252,14 @@ def _waits(step: Step, lexicon: Lexicon) -> bool:
 
 
 def without_now(instruction: Instruction) -> Instruction:
-    """Give a step that begins with "now" without it: in a row it says no more than "then"."""
-    said = instruction.requirements
-    if (
-        said
-        and said[0].word == NOW
-        and said[0].span[0] == instruction.span[0]
-        and said[0].preposition is None
-    ):
-        return replace(instruction, requirements=said[1:])
-    return instruction
+    """Give a step without "now" at its begin, and "immediately": in a row they say no more than "then"."""
+    kept = tuple(part for part in instruction.requirements if not _says_now(part, instruction))
+    return replace(instruction, requirements=kept)
+
+
+def _says_now(part: TimeRequirement, instruction: Instruction) -> bool:
+    first = part.word == NOW and part.span[0] == instruction.span[0]
+    return part.preposition is None and (first or part.word in AT_ONCE)
 
 
 def without(order: Iterable[Precedence], gone: int, *, also_before: bool) -> tuple[Precedence, ...]:

@@ -86,7 +86,9 @@ class _Lines:
         """Whether enough of them lean on each other."""
         following = self.count - 1
         some = least.leaning * self.leaning >= following and least.same * self.same >= following
-        most = self.leaning >= least.least and least.same * self.linked >= following
+        # Half of them say how long, as a protocol does: "put the cells on ice for two minutes".
+        long = least.same * self.lasting >= self.count
+        most = (self.leaning >= least.least or long) and least.same * self.linked >= following
         # "Serve at seven" bounds them all.
         untimed = least.timed * (self.timed - self.last_timed) < self.read
         # What is needed is told above a recipe alone.

@@ -64,8 +64,8 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
     if operation.lemma in lexicon.doing.by_then:
         return None
     whole = lexicon.beside.all_through
-    if operation.lemma in lexicon.doing.by_itself | lexicon.timing:
-        # "Incubate overnight"; but "run the dishwasher overnight"
+    if operation.lemma in lexicon.doing.left_overnight | lexicon.letting | lexicon.timing:
+        # "Incubate overnight", "let it dry overnight"; but "run the dishwasher overnight"
         whole |= lexicon.beside.through_the_night
     ends = [
         part.latest
@@ -75,6 +75,22 @@ def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
         and not part.alternative
     ]
     return ends[0] if len(ends) == 1 else None
+
+
+def from_then_on(instruction: Instruction, lexicon: Lexicon, mornings: Collection[float]) -> Instruction:
+    """Let a step that is left to itself overnight be so from the step before on: "2. Chill it overnight".
+
+    It is the night behind those that other steps take up, until some ``mornings``.
+    """
+    said = instruction.requirements
+    end = until_then(instruction, lexicon)
+    if end is None or len(said) != 1 or not _is_all_through(said[0], lexicon.beside.through_the_night):
+        return instruction
+    end += A_DAY * sum(morning >= end for morning in set(mornings))
+    until = replace(
+        said[0], constraint=Constraint.BEFORE, preposition=UNTIL, earliest=None, latest=end, t_spec=end
+    )
+    return replace(instruction, requirements=(until,))
 
 
 def from_to(instruction: Instruction, reading: Reading, given: datetime, lexicon: Lexicon) -> Instruction:
@@ -183,7 +199,8 @@ def _is_all_through(part: TimeRequirement, whole: Collection[str]) -> bool:
     if part.constraint is not Constraint.BETWEEN or part.earliest is None or part.latest is None:
         return False
     said = part.latest - part.earliest <= A_DAY and part.recurrence is None
-    return said and any(word in whole for word in part.text.lower().split())
+    text = f" {part.text.lower()} "
+    return said and any(f" {form} " in text for form in whole)
 
 
 def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:

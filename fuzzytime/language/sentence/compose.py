@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.leftovers.leftovers import leftovers
 from fuzzytime.language.instruction import Instruction, Operation, Question, Reading, Remark, Span
 from fuzzytime.language.meaning.grounded.chosen_clocks import NOON_TIME
 from fuzzytime.language.meaning.grounded.moment import Moment
+from fuzzytime.language.meaning.joined.first_times import opening_of
 from fuzzytime.language.meaning.required.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -226,7 +227,7 @@ class _Composer:
             operation=operation,
             requirements=tuple(requirements),
             named=ground_all(sketch.named, text, self.moment).requirements,
-            duration=duration,
+            duration=_opening(sketch, operation, requirements) if duration is None else duration,
             repeats=next((part.recurrence for part in requirements if part.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,
             length_of=told,
@@ -317,6 +318,16 @@ class _Composer:
             event = said.day if happens else self.moment.event
             ahead = self.moment.ahead if apart else said.day
             self.moment = replace(self.moment, day=said.day, event=event, ahead=ahead)
+
+
+def _opening(
+    sketch: Sketch, operation: Operation | None, requirements: Sequence[TimeRequirement]
+) -> float | None:
+    """Give how long something goes on that is done for the beginning of something: "for the first minute"."""
+    denied = operation is None or operation.negated or any(part.denied for part in requirements)
+    lengths = [length.seconds for phrase in sketch.phrases if (length := opening_of(phrase.said)) is not None]
+    asked = operation is not None and operation.is_asked and not denied
+    return lengths[0] if asked and len(lengths) == 1 else None
 
 
 def _window_of(draft: Draft) -> tuple[float, float] | None:

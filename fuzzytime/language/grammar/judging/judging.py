@@ -209,7 +209,11 @@ class Judge(Around):
         return short or not closed.alternatives.isdisjoint(behind[:1])
 
     def _is_more(self, piece: Piece) -> bool:
-        """Whether a time word is part of more: of a clause, or of what says which time is meant."""
+        """Whether a time word is part of more: of a clause, or of which time, or way, is meant."""
+        to = self.texts[piece.end - 1] in self.beside.straight_to
+        if to and self.around.follower(piece) in self.beside.whereabouts | self.beside.away_from:
+            # "Bake it directly from the fridge"
+            return True
         return self._begins_clause(piece) or self._is_now_and_again(piece) or self._says_which(piece)
 
     def _says_which(self, piece: Piece) -> bool:

@@ -1,11 +1,19 @@
 """Whether a length of time is one where it stands, and not a difference, a share or a distance."""
 
+from itertools import takewhile
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.meaning.expressions import Duration, Said
 from fuzzytime.requirement import BOUNDS, Constraint, Unit
+
+SHORT = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
+"""Units of how long exercises, and steps, go on."""
+
+DESCRIBED = 5
+"""Words from a length to what lasts so long, at most: "a 5-minute gentle cool-down walk"."""
 
 ELAPSED = "elapsed."
 """How the names of rules begin of lengths that have passed."""
@@ -63,7 +71,7 @@ class Lengths(Standing):
                 said.preposition is None and last.bare_end and not away
             )
         if said.constraint is Constraint.FOR and said.preposition is None:
-            return self._accepts_length(piece)
+            return self._accepts_length(piece, duration)
         return True
 
     def _is_before_thing(self, piece: Piece) -> bool:
@@ -138,7 +146,7 @@ class Lengths(Standing):
         """Whether a number without a unit counts units behind it: "in two business days"."""
         return any(self.around.is_unit(place) for place in (piece.end, piece.end + 1))
 
-    def _accepts_length(self, piece: Piece) -> bool:
+    def _accepts_length(self, piece: Piece, duration: Duration) -> bool:
         """Whether a length of time without a preposition says how long something takes."""
         # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
         follower, before = self.around.follower(piece), self.around.before(piece)
@@ -150,14 +158,24 @@ class Lengths(Standing):
             giving = self.lexicon.doing.giving
             given = not giving.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
             return before in self.lexicon.doing.spending or ((opens or given) and named)
-        if before in self.lexicon.doing.spent or (
-            follower.endswith("ing") and (opens or before in self.lexicon.doing.spending)
-        ):
-            # "Two hours coding, then lunch", "spend an hour cleaning", "take ten minutes to tidy up"
-            return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
-        # "3 x 5 min planks"
-        often = opens and "x" in self.texts[piece.start : piece.end] and follower.isalpha()
-        return often or follower in self.lexicon.lasting or self.around.may_end(piece)
+        cleaning = follower.endswith("ing")
+        if before in self.lexicon.doing.spent or (cleaning and before in self.lexicon.doing.spending):
+            # "Spend an hour cleaning", "take ten minutes to tidy up"
+            return cleaning or follower == "to" or self.around.may_end(piece)
+        return self._goes_before(piece, duration, opens=opens) or self.around.may_end(piece)
+
+    def _goes_before(self, piece: Piece, duration: Duration, *, opens: bool) -> bool:
+        """Whether what lasts so long stands behind it: "a 20-minute easy jog", "30 seconds plank"."""
+        others = self.lexicon.function_words | self.beside.no_activities
+        behind = self.texts[piece.end :]
+        near = [*takewhile(lambda text: text == "-" or (text.isalpha() and text not in others), behind)]
+        # "Two days hiking", "20 min yoga"
+        short = all(unit in SHORT for _, unit in duration.terms) or self.around.follower(piece).endswith(
+            "ing"
+        )
+        return not self.lexicon.lasting.isdisjoint(near[:DESCRIBED]) or (
+            opens and short and near[:1] not in ([], ["-"])
+        )
 
     def _is_before_marker(self, place: int) -> bool:
         return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None

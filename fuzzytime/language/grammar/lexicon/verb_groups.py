@@ -113,6 +113,7 @@ class Doing(NamedTuple):
     resting: Words
     left_alone: Words
     by_itself: Words
+    left_overnight: Words
     watching: Words
     past_alike: Words
     calling_up: Words

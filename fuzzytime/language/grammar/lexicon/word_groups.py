@@ -318,7 +318,9 @@ class BesideTimes(NamedTuple):
     lists: Words
     open_things: Words
     limited: Words
+    straight_to: Words
     through_the_night: Words
+    no_activities: Words
     all_through: Words
     awaited_in_a_stretch: Words
     sites: Words

@@ -154,6 +154,33 @@ class Stretch(_Single):
         return Days(first, moved(first, self.unit, self.count))
 
 
+@dataclass(frozen=True, slots=True)
+class Numbered(_Single):
+    """The nth day, or week, of a plan, and as many as ``count``: "Day 3", "Week 1", "Weeks 2-4".
+
+    They count from the day ``since``; without it from today, the first week being that which begins then, or
+    next.
+    """
+
+    number: int
+    unit: Unit
+    count: int = 1
+    since: Calendar | None = None
+
+    @property
+    def grain(self) -> Unit:
+        """The unit."""
+        return self.unit
+
+    def period(self, today: Today) -> Days:
+        """Give the days from its begin to its end."""
+        start = Cycle(self.unit).holding(today, today.day)
+        first = start.first if start.first == today.day else start.end
+        if self.since is not None:
+            first = next((days.first for days in self.since.upcoming(today, today.day)), first)
+        return Days(*(moved(first, self.unit, self.number - 1 + later) for later in (0, self.count)))
+
+
 def days_onward(days: Calendar | None) -> int | None:
     """Give how many days behind the one said before a day is: "the next day"; None for other days."""
     if isinstance(days, Relative) and days.onward:

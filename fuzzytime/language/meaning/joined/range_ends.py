@@ -5,10 +5,14 @@ from dataclasses import replace
 from fuzzytime.language.meaning.calendar import Calendar, Fields, is_weekday
 from fuzzytime.language.meaning.days.relations import Deictic
 from fuzzytime.language.meaning.expressions import Wall
-from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Unit
 
 NOON_HOUR = 12
+
+
+BEFORE = 2 * 3600
+"""Seconds before a part of the day in which what is named by it may be: "5pm - evening feed"; estimated."""
 
 
 def closes(wall: Wall) -> bool:
@@ -24,8 +28,11 @@ def is_meal(wall: Wall) -> bool:
 def is_one(first: Wall, last: Wall) -> bool:
     """Whether a dash stands between parts of one time: "friday - june 19", "6 january - 6:30".
 
-    A number behind a date is a day: "march 10 - 17".
+    So it does before the part of the day of an hour, which names what is then: "6.45am - morning feed". A
+    number behind a date is a day: "march 10 - 17".
     """
+    if first.clock is not None and last.part is not None and last.days is None and last.clock is None:
+        return _is_part_of(first.clock, last.part)
     if first.days is None and last.days is not None and not last.is_timed:
         # As in "10:00 - march 5".
         return first.clock is not None and last.days.grain is Unit.DAY and not _is_ordinal(first, last)
@@ -39,6 +46,15 @@ def is_one(first: Wall, last: Wall) -> bool:
     if first.part is not None or last.part is not None or last.clock is not None:
         return False
     return _says_again(first.days, last.days) or _says_again(last.days, first.days)
+
+
+def _is_part_of(clock: Clock, part: Part) -> bool:
+    """Whether no moment that a clock time may mean is well before a part of the day, and one is in it."""
+    wide = not (part.is_point or part.meal)
+    moments = clock.candidates()
+    begin = 0 if part.half is Half.AM else part.start - BEFORE
+    near = [moment for moment in moments if begin <= moment <= part.end]
+    return wide and bool(near) and all(moment in near or moment > part.end for moment in moments)
 
 
 def _is_ordinal(number: Wall, day: Wall) -> bool:

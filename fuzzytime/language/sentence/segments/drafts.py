@@ -28,10 +28,12 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     leading_labels,
     leading_tags,
     remarks_of_tags,
+    step_titles,
     with_joints,
     without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments.lists.numbered_periods import NumberedPeriod, numbered_periods
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, timed_lines
 from fuzzytime.language.sentence.segments.lists.unmarked import with_marks_between
 from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
@@ -54,6 +56,8 @@ NAMING = "name"
 """The rule of a clock time that names an event."""
 
 NOTED = "is taken as a note, and not planned"
+
+TITLED = "is taken as a title, and not planned"
 
 HEADED = "heading"
 """The rule of a time that a line above says."""
@@ -100,6 +104,7 @@ class Draft:
     times, as one ``beside`` others may have none. What is ``needed`` is only named. ``instances`` are several
     of one kind, of which each has a time, ``orders`` the words that say where something comes among others.
     What happens on an ``entry`` that is all a name is known from the beginning.
+    ``period`` is the week, or day, of a plan that it begins with.
     """
 
     text: str
@@ -119,6 +124,7 @@ class Draft:
     instances: Instances = NONE
     orders: tuple[tuple[Span, Order], ...] = ()
     entry: Operation | None = None
+    period: NumberedPeriod | None = None
 
     @property
     def lexicon(self) -> Lexicon:
@@ -159,6 +165,15 @@ def drafted(
 ) -> list[Draft]:
     """Draft texts, which may be ``together`` a list of times; ``trees`` parses."""
     entries = [(text, with_joints(without_bullets(text), lexicon), now) for text, now in texts]
+    said = entries if together else []
+    periods = numbered_periods([(entry, now) for _, entry, now in said], lexicon) or [None] * len(entries)
+    titles = step_titles([text for text, *_ in said], trees, lexicon) or [()] * len(entries)
+    fronts = [
+        (*title, *((period.span,) if period else ())) for title, period in zip(titles, periods, strict=True)
+    ]
+    entries = [
+        (text, blanked(entry, front), now) for (text, entry, now), front in zip(entries, fronts, strict=True)
+    ]
     listed = [without_marks(entry, list_marks(entry, lexicon)) for _, entry, _ in entries]
     timed = timed_lines(listed, lexicon) if together else [Timed.NO] * len(listed)
     measured = together and any(says_lengths(words_of(entry), lexicon) for entry in listed)
@@ -175,11 +190,17 @@ def drafted(
                 *draft.remarks,
                 *remarks_of(draft.text, draft.messages),
                 *remarks_of_tags(draft.text, leading_tags(draft.text)),
+                *(Remark.noted(draft.text, span, TITLED) for span in title),
             ),
             orders=source.orders,
             beside=together and len(texts) > 1,
+            period=period,
+            # Steps that each have a title are done in turn.
+            step=place if title and draft.step is None else draft.step,
         )
-        for draft, source, parts in zip(drafts, sources, parted(sources, trees), strict=True)
+        for place, (draft, source, parts, period, title) in enumerate(
+            zip(drafts, sources, parted(sources, trees), periods, titles, strict=True), 1
+        )
     ]
 
 
@@ -195,7 +216,7 @@ def _source_of(draft: Draft) -> Source:
         draft.now, draft.scanned, phrases, draft.remarks, apart=apart, meanwhile=meanwhile, further=further
     )
     said = draft.scanned.words, source.covered, draft.lexicon
-    openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases))
+    openings = (*openings_inside(*said), *lengths_in_front(draft.scanned.words, draft.phrases, draft.lexicon))
     orders = tuple(order_words(*said))
     return replace(source, orders=orders, openings=openings)
 

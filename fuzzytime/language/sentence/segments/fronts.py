@@ -235,13 +235,15 @@ def _may_begin(tree: Tree, place: int) -> bool:
 
 
 def _is_counted(tree: Tree, place: int) -> bool:
-    """Whether a number counts a noun: "below 2 bar"; but "by five ring the depot", "at 70 turn it on"."""
+    """Whether a noun is counted: "below 2 bar", "before the last frost"; but "at 70 turn it on"."""
+    ends = tree.lexicon.closed.ends_of_rows
+    one = any(tree.nodes[p].lower in ends for p in tree.children(place, "amod") if p < place)
     node, following = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     acts = any(
         behind.tag in OPENING or node.lower in tree.lexicon.particles.get(behind.lower, ())
         for behind in following
     )
-    return tree.nodes[place - 1].tag == "CD" and node.tag == "NN" and not acts
+    return (tree.nodes[place - 1].tag == "CD" or one) and node.tag == "NN" and not acts
 
 
 def is_order(tree: Tree) -> bool:

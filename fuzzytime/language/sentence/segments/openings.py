@@ -182,14 +182,18 @@ def _is_only_then(words: Sequence[Word], place: int, times: AbstractSet[int], le
     return limited and words[place].text in closed.inverted_auxiliaries and words[place + 1].text in whom
 
 
-def lengths_in_front(words: Sequence[Word], phrases: Sequence[Phrase]) -> Iterator[Span]:
-    """Give each length of what is named behind it, where no verb asks for that: "two hours of coding"."""
+def lengths_in_front(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon) -> Iterator[Span]:
+    """Give each length of what is named behind it: "two hours of coding", "30 seconds plank"."""
     for phrase in phrases:
         before = words[phrase.first - 1].text if phrase.first else "then"
         leads = not before.isalnum() or before in {"and", "then"}
-        said = words[phrase.end].text if phrase.end < len(words) - 1 else ""
-        if leads and said == "of" and isinstance(phrase.said.time, Duration):
+        said = words[phrase.end].text if phrase.end < len(words) else ""
+        if not leads or not isinstance(phrase.said.time, Duration) or phrase.said.preposition is not None:
+            continue
+        if said == "of" and phrase.end < len(words) - 1:
             yield phrase.span[0], words[phrase.end].end
+        elif said.isalpha() and said not in lexicon.function_words:
+            yield phrase.span
 
 
 def _is_somewhere(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:

@@ -10,6 +10,9 @@ from fuzzytime.language.meaning.times_of_day import Half
 LAST_DAY = ["last", "day"]
 """Words for yesterday, which may be those for the end of something."""
 
+BEFORE_LAST = ["before", "last"]
+"""The end of a period that was, or the beginning of what comes."""
+
 OF_CLOCKS = frozenset({"at", "@"})
 """What stands before a clock time on a day."""
 
@@ -130,13 +133,21 @@ class Cuts(Standing):
         if owned or (named and self.around.follower(piece) in self.closed.of):
             # "On the eve of departure", "by close of school", "on the last day of the lease", "my last day"
             return True
-        if self.around.ends_in_order(piece):
+        if self.around.ends_in_order(piece) or self._ends_before_last(piece):
             return True
         one = self.lexicon.ordinals.get(first, self.lexicon.numbers.get(first, TENS))
         # "On the twenty | fourth", "set it to sixty | eight until nine"
         within = tens and one < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
         return within or (paired and self.around.follower(piece) in {"on", "to"})
+
+    def _ends_before_last(self, piece: Piece) -> bool:
+        """Whether a count is so long before the last of something: "1 week before last | frost"."""
+        before, follower = self.around.before(piece), self.around.follower(piece)
+        counted = self.measures.is_number(piece.start) or self.measures.is_number(piece.start - 1)
+        counted = counted or before in self.closed.indefinite_determiners
+        ends = counted and self.texts[piece.end - 2 : piece.end] == BEFORE_LAST
+        return ends and follower.isalpha() and follower not in self.lexicon.function_words
 
     def _is_long(self, place: int) -> bool:
         """Whether a number has as many digits as the parts of telephone numbers."""
@@ -183,6 +194,8 @@ class Cuts(Standing):
             return True
         time = piece.value.time
         several = isinstance(time, Duration) and time.terms[0][0] > 1 and self.around.is_unit(piece.end - 1)
+        # "60 sec squats" is how long one does them.
+        several = several and (piece.value.preposition or self.around.before(piece))[:1].isalnum()
         if several and named and looks_plural(follower) and not looks_plural(self.texts[piece.end - 1]):
             # "Study in 25 minute | blocks"; but "in an hour guests arrive"
             return not self.around.timely(piece.end) and follower not in self.lexicon.orders

@@ -14,6 +14,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.understood.lists import closed_lists
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.sentence.segments.lists.chains import chained
 from fuzzytime.language.sentence.segments.lists.entries import Entry, is_when, names_day
 from fuzzytime.language.sentence.segments.lists.heads import headed
@@ -206,6 +207,18 @@ def _is_timed_step(item: str, grammar: Grammar, lexicon: Lexicon) -> bool:
     return step[-1].text not in lexicon.function_words and (len(step) == 1 or step[0].text in timed)
 
 
+def _first_so_long(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether commas stand between lengths, each of what is named behind it: "5 min bike, 20 min core"."""
+    numbered = all(item.strip()[:1].isdigit() for item in items)
+    return numbered and all(_is_so_long(item, grammar, lexicon) for item in items)
+
+
+def _is_so_long(item: str, grammar: Grammar, lexicon: Lexicon) -> bool:
+    scanned = Scanned.of(item, grammar, lexicon)
+    lengths = (one for one in phrases_of(scanned) if isinstance(one.said.time, Duration))
+    return any(one.first == 0 and one.end < len(scanned.words) for one in lengths)
+
+
 def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30", "9-10 gym, …".
 
@@ -257,7 +270,7 @@ def _timed_items(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> se
     return timed | {1} if apart or denied else timed
 
 
-BY_COMMAS = (_head_entries, headed, _last_so_long, _each_is_timed)
+BY_COMMAS = (_head_entries, headed, _last_so_long, _first_so_long, _each_is_timed)
 """Lists whose entries commas tell apart."""
 
 

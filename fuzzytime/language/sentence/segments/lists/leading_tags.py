@@ -6,6 +6,7 @@ from functools import cache
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, Span, blanked
+from fuzzytime.language.sentence.trees.tree import Trees
 
 TAGS = re.compile(r"(?:\s+[#^][^\W\d][\w/-]*)+[ \t]*$", re.MULTILINE)
 """Marks behind it that sort it among others: "call Ann at nine #work #urgent"."""
@@ -21,12 +22,16 @@ TAG = re.compile(
 
 HOUR = r"(?:2[0-3]|[01]?\d)(?:[.:h]|(?<=[01]\d))[0-5]\d(?:\s?[ap]m)?"
 FRONT = r"^[ \t]*(?:[-+*•–][ \t]+)?(?:\[[ \t]?\][ \t]+)?(?:\d{1,2}[.)][ \t]+)?"
+HALF = r"[ \t]?[ap]\.?m\b"
+OF_HALF = rf"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?{HALF}"
 EMPHASIS = r"(?P<open>\*{1,2}|__)(?=[\w([])[^*_\n]*(?<=\S)(?P<close>(?P=open))(?!\w)"
 _UNSAID = (
     rf"{FRONT}(?:\d[\d.:–-]*[ \t]+)?{EMPHASIS}",
     rf"{FRONT}(?P<open>\|)|(?P<close>\|)[ \t]*$",
     r"^[ \t]*(?P<open>[-+*•–]|>+)(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
     rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+=)(?P<close>)(?=[ \t]|[^\W\d])",
+    rf"{FRONT}{OF_HALF}(?P<open>\.)(?P<close>)(?=[ \t]+[^\W\d])",
+    rf"{FRONT}(?:{HOUR}|{OF_HALF}\.?)(?P<open>—|--|[-–](?=[ \t]))(?P<close>)(?=[ \t]*[^\W\d])",
     rf"{FRONT}[^\W\d][^\n,\d]*(?P<open>,)(?P<close>)(?=[ \t]+{HOUR}(?:$|,|[ \t]+[(\[]))",
     rf"{FRONT}[^\d\n]*(?P<open>[(\[]){HOUR}(?:\s?[-–]\s?{HOUR})?(?P<close>[)\]])",
     r"(?<=[^\W\d])[ \t]?(?P<open>\.{2,})(?P<close>)(?=[ \t]?\d)",
@@ -44,8 +49,31 @@ Then those of links, of which the words are read and not where they lead, and wh
 """
 
 MARK = r"(?:[-,:…]|\.{2,})"
+SEVERAL = 2
+"""Steps with titles, at least."""
+
 LABEL = re.compile(rf"^\s*{BOX}(?P<label>[^\W\d][\w.]*(?:[ -]\w+)?)(?:[ \t]+-|:)[ \t]+(?=\w)", re.MULTILINE)
 """A word with a colon or a dash behind it, or two, before more on the same line."""
+
+
+TITLE = re.compile(
+    rf"^\s*{BOX}(?:\d{{1,2}}[.)]\s+)?"
+    r"(?P<title>[A-Z][\w'’-]*(?: (?:[A-Z][\w'’-]*|[a-z]{1,3}|&))+:)\s+(?=[A-Z][^:\n]*\s[^:\n]*\s\w)"
+)
+"""Words with capitals and a colon, before a sentence on the same line."""
+
+
+def step_titles(texts: Sequence[str], trees: Trees, lexicon: Lexicon) -> list[tuple[Span, ...]]:
+    """Give what at least half of some steps begin with that names what they say: "Heat the Sauce: Put …".
+
+    One line alone may ask for two things, and a name calls who is asked.
+    """
+    found = [TITLE.match(text) for text in texts]
+    titles = [match["title"] for match in found if match is not None]
+    parsed = trees(titles) if len(titles) >= SEVERAL and len(texts) <= SEVERAL * len(titles) else []
+    acting = (tree.nodes[0] for tree in parsed)
+    named = bool(parsed) and all(one.may_act and one.lower not in lexicon.persons for one in acting)
+    return [(match.span("title"),) if named and match is not None else () for match in found]
 
 
 def leading_tags(text: str) -> list[Span]:

@@ -1,6 +1,6 @@
 """Days and lines that hold for instructions elsewhere.
 
-Lines: ``titles``, ``dated_lines``, ``headings``, ``below_headings``.
+Lines: ``titles``, ``dated_lines``, ``headings``, ``below_headings``, ``periods_above``.
 Lists: ``listed_days``.
 Days: ``days_apart``, ``day_by_day``, ``days_left_out``, ``days_on``, ``each_week``.
 """

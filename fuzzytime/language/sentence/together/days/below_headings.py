@@ -84,8 +84,9 @@ def under_heading(sketch: Sketch, heading: Heading | None) -> Sketch:
         return sketch
     wholes = (_is_whole_day(phrase) or is_window(phrase) for phrase in heading.phrases)
     if _counts_from_another(sketch) and all(wholes):
-        # "An hour before the meeting" is on the meeting's day.
-        return replace(sketch, headed=heading.clauses)
+        # "An hour before the meeting" is on the meeting's day, and counts from nothing above.
+        conditions = (clause for clause in heading.clauses if clause.distance is None)
+        return replace(sketch, headed=tuple(conditions))
     due = _due_on_day(sketch, heading)
     return replace(due or sketch.under(heading.phrases), headed=heading.clauses)
 

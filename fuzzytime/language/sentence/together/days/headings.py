@@ -13,8 +13,17 @@ from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.segments.lists.heads import is_meal
+from fuzzytime.language.sentence.segments.lists.things_needed import is_marked
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
 from fuzzytime.language.sentence.together.days.dated_lines import heads_lines, with_dates
+from fuzzytime.language.sentence.together.days.periods_above import (
+    in_week,
+    is_plan_title,
+    plan_period,
+    week_of,
+    when_begun,
+    with_plan,
+)
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
     begins_order,
@@ -48,20 +57,33 @@ CALLED = 2
 def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     """Give drafts of lines said at one moment, each with the time that the nearest line above names alone.
 
-    A part of the day, or a clause, is of the day that a line above it names.
+    A part of the day, or a clause, is of the day that a line above it names, and a weekday of the week.
     """
-    drafts = with_dates(drafts)
-    headings = [_heading_of(draft, heads=heads_lines(drafts, place)) for place, draft in enumerate(drafts)]
+    drafts = with_plan(with_dates(drafts))
+    headings = [
+        (plan_period(draft) if is_plan_title(drafts, place) else None)
+        or _heading_of(draft, heads=heads_lines(drafts, place), above=_is_above_marks(drafts, place))
+        for place, draft in enumerate(drafts)
+    ]
     if headings and headings[0] is None:
         headings[0] = title_of(drafts) or (_list_of(drafts[0]) if len(drafts) > 1 else None)
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
+    week: Calendar | None = None
     latest, numbered = 0, False
     for place, draft in enumerate(drafts):
         if place and draft.now != drafts[place - 1].now:
-            heading = day = None
-        named = headings[place]
+            heading = day = week = None
+        named, begun = headings[place], plan_period(draft)
+        if begun is not None:
+            heading, day, week = begun, begun, week_of(begun)
+            draft = replace(draft, remarks=(*draft.remarks, *when_begun(draft)))  # noqa: PLW2901
+        if named is not None:
+            named = replace(named, phrases=in_week(named.phrases, week))
+            week = week_of(named) or week
+        else:
+            draft = replace(draft, phrases=in_week(draft.phrases, week))  # noqa: PLW2901
         if numbered and draft.step is not None and named is None:
             # "3) The day before" heads nothing below "4) On moving day".
             heading = None
@@ -128,11 +150,21 @@ def _holds(headings: Sequence[Heading | None], place: int) -> bool:
     heading, below = headings[place], headings[place + 1 : place + 2]
     if heading is None or not below:
         return False
-    return below[0] is None or (heading.is_day and not below[0].is_day)
+    finer = not below[0].is_day or (week_of(heading) and not week_of(below[0])) if below[0] else True
+    return below[0] is None or (heading.is_day and bool(finer))
 
 
-def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
-    """Give what a line names that says a time, and nothing else, or that ``heads`` others."""
+def _is_above_marks(drafts: Sequence[Draft], place: int) -> bool:
+    """Whether a line without a bullet stands above one with it: "Once a month", "- Degrease the chain"."""
+    here, below = drafts[place], drafts[place + 1 : place + 2]
+    return not is_marked(here.text) and here.step is None and any(is_marked(one.text) for one in below)
+
+
+def _heading_of(draft: Draft, *, heads: bool, above: bool) -> Heading | None:
+    """Give what a line names that says a time, and nothing else, or that ``heads`` others.
+
+    ``above`` lines with marks it may be any time.
+    """
     if heads:
         return Heading(name_of(draft), draft.text, draft.scanned, held(draft, draft.phrases))
     marked = draft.text.rstrip(" *_").endswith(":")
@@ -143,14 +175,14 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
         return Heading(name_of(draft), draft.text, draft.scanned, held(draft, days))
     if marked and (hours := hours_of(draft)) is not None:
         return hours
-    if len(draft.parts) != 1:
+    above = above or _counts_back(draft)
+    if len(draft.parts) != 1 or not (marked or above or len(draft.phrases) == 1):
         return None
-    counted = _counts_back(draft)
-    if marked or counted:
+    if marked or above:
         sketch = sketch_of(draft, draft.parts[0])
         phrases, clauses = sketch.phrases, sketch.clauses
     else:
-        phrases, clauses = draft.phrases[:1] if len(draft.phrases) == 1 else (), ()
+        phrases, clauses = draft.phrases, ()
     heard = [*(phrase.span for phrase in phrases), *(clause.span for clause in clauses)]
     if not heard or any(isinstance(p.said.time, TimeWord) for p in phrases):
         return None
@@ -159,8 +191,7 @@ def _heading_of(draft: Draft, *, heads: bool) -> Heading | None:
     if _says_more(draft, heard) and not titled:
         return None
     part = phrases[0].said.wall.part if phrases else None
-    calendar = marked or counted or is_of_calendar(phrases[0])
-    if not calendar or any(map(_is_meal, phrases)):
+    if (not (marked or above) and not is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
         return None
     if not marked and part is not None and part.meal and not part.place:
         # "Sunday lunch" is one.
@@ -279,8 +310,8 @@ def _on_day(heading: Heading, above: Heading | None) -> Heading:
 def read_heading(draft: Draft) -> Reading:
     """Give the reading of a time that holds for the lines below it."""
     heading = draft.heading or Heading(draft.text, draft.text, draft.scanned)
-    remark = _remark_on(heading, (0, len(draft.text)))
-    return Reading(text=draft.text, now=draft.now, instructions=(), remarks=(remark,))
+    remarks = when_begun(draft) or (_remark_on(heading, (0, len(draft.text))),)
+    return Reading(text=draft.text, now=draft.now, instructions=(), remarks=remarks)
 
 
 def _remark_on(heading: Heading, span: Span) -> Remark:
