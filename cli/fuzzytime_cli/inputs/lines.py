@@ -64,6 +64,13 @@ RULE = re.compile(r"[|\s]*:?-{2,}[-:|\s]*\|[-:|\s]*")
 NUMBER = re.compile(r"\d[\d.:\s–-]*[^\W\d]{,2}")
 """A cell that is an hour: "9.15 - 10", "8pm"."""
 
+_TIME = r"\d{1,2}(?:[:.]\d\d)?(?:\s?[ap]\.?m\.?)?"
+HOUR = re.compile(rf"(?=.*(?:[:.]\d|m)){_TIME}(?:\s?[–—-]\s?{_TIME})?", re.IGNORECASE)
+"""A line that is an hour, or from when to when, and nothing else: what is then stands below it."""
+
+BULLET = re.compile(r"[-*+•]\s+")
+"""What a line of a list may begin with."""
+
 
 def said_in(line: str, *, marked: bool = False) -> str:
     """Give what a line asks for, without its box: nothing where it is a comment, or ticked off.
@@ -152,6 +159,7 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     """
     wishes: list[SpokenWish] = []
     mistakes: list[Mistake] = []
+    hour = ""
     lines = source.text.split("\n")
     front = _front(lines)
     lines[:front] = [""] * front
@@ -160,6 +168,11 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
         words = said_in(without_cells(REMARK.sub("", line)), marked=marked)
         if not words or RULE.fullmatch(line) or ("|" in line and RULE.fullmatch(below)):
             continue
+        if hour and not words[0].isdigit() and not words.endswith(":"):
+            # "4.30 pm", and below it "Portraits"
+            words = f"{hour} {BULLET.sub('', words, count=1)}"
+            wishes.pop()
+        hour = words if HOUR.fullmatch(words) else ""
         if len(wishes) == MAX_INSTRUCTIONS:
             rule = (
                 f"a plan must hold at most {MAX_INSTRUCTIONS:,} instructions (for several files, see: batch)"

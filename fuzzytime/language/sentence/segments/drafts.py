@@ -22,6 +22,7 @@ from fuzzytime.language.sentence.segments.events.event_edges import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.events.prepared_for import with_prepared_for
 from fuzzytime.language.sentence.segments.lists.dividers import divided
+from fuzzytime.language.sentence.segments.lists.heads import with_time_in_front
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import Timed, hours_in
 from fuzzytime.language.sentence.segments.lists.joints import without_joints
 from fuzzytime.language.sentence.segments.lists.leading_tags import (
@@ -54,6 +55,9 @@ NAMING = "name"
 """The rule of a clock time that names an event."""
 
 NOTED = "is taken as a note, and not planned"
+
+SAID = (with_time_in_front, with_gaps, said_apart, with_prepared_for, without_threats, with_told_apart)
+"""What says a text in other words of the same length, in this order."""
 
 HEADED = "heading"
 """The rule of a time that a line above says."""
@@ -222,7 +226,14 @@ def _without_parts(
     bounds = beside_each_other(asides_of_hours(scanned), asides_of_needs(scanned))
     asides = beside_each_other(lengths, bounds)
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
-    for said in (with_gaps, said_apart, with_prepared_for, without_threats, with_told_apart):
+    for said in (
+        with_time_in_front,
+        with_gaps,
+        said_apart,
+        with_prepared_for,
+        without_threats,
+        with_told_apart,
+    ):
         scanned = _again(scanned, said(scanned), grammar)
     scanned, instances = instances_of(scanned, grammar)
     phrases, remarks = corrected(scanned, phrases_of(scanned))

@@ -199,12 +199,12 @@ def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether the full stop of an abbreviation ends a sentence too: "at 6 p.m. Add the salt"."""
     if words[phrase.end - 1].text != "." or phrase.end + 1 >= len(words):
         return False
-    acts = _acts(words, phrase.end, lexicon)
-    return words[phrase.end].capital or (acts and not _leads(phrase, words, lexicon))
+    ends = words[phrase.end].capital or _acts(words, phrase.end, lexicon)
+    return ends and not _leads(phrase, words, lexicon)
 
 
 def _leads(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether a time stands in front of its sentence: "hey robot, at 6 p.m. add the salt"."""
+    """Whether a time stands in front of its sentence: "hey robot, at 6 p.m. add the salt", "6 p.m. Bath"."""
     ends = (place + 1 for place in range(phrase.first) if words[place].text in ENDS)
     begin = max(ends, default=0)
     return behind_opening(words, begin, phrase.end, {phrase.first}, lexicon) == phrase.first

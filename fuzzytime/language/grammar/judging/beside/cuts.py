@@ -58,7 +58,7 @@ class Cuts(Standing):
     def runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
         if piece.end < len(self.words):
-            word = self.words[piece.end]
+            first, word = self.words[piece.start], self.words[piece.end]
             if word.text == "'s":
                 # "A day's work"
                 return True
@@ -72,8 +72,8 @@ class Cuts(Standing):
             if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
                 return True
             if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
-                # "Twenty-year-old", "second-hand"
-                return True
+                # "Twenty-year-old", "second-hand"; but "7:00 am-let the dog out"
+                return not (first.is_digits and not piece.start and last.text in self.beside.of_hours)
             if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
                 # "(Call mum at 9.)": what closes behind a full stop is no part of a number.

@@ -20,6 +20,7 @@ TAG = re.compile(
 """A mark in front of what is asked for, with the box before it."""
 
 HOUR = r"(?:2[0-3]|[01]?\d)(?:[.:h]|(?<=[01]\d))[0-5]\d(?:\s?[ap]m)?"
+STRETCH = rf"(?:{HOUR}|(?:2[0-3]|[01]?\d)(?:\s?[ap]m)?)\s?[-–—]+\s?(?:{HOUR}|(?:2[0-3]|[01]?\d)\s?[ap]m)"
 FRONT = r"^[ \t]*(?:[-+*•–][ \t]+)?(?:\[[ \t]?\][ \t]+)?(?:\d{1,2}[.)][ \t]+)?"
 EMPHASIS = r"(?P<open>\*{1,2}|__)(?=[\w([])[^*_\n]*(?<=\S)(?P<close>(?P=open))(?!\w)"
 _UNSAID = (
@@ -27,6 +28,7 @@ _UNSAID = (
     rf"{FRONT}(?P<open>\|)|(?P<close>\|)[ \t]*$",
     r"^[ \t]*(?P<open>[-+*•–]|>+)(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
     rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+=)(?P<close>)(?=[ \t]|[^\W\d])",
+    rf"{FRONT}{STRETCH}(?P<open>[?!,;:.]|[ \t]*[-–—]+|[ \t]+/{{1,2}})(?P<close>)(?=[ \t]+[^\W\d])",
     rf"{FRONT}[^\W\d][^\n,\d]*(?P<open>,)(?P<close>)(?=[ \t]+{HOUR}(?:$|,|[ \t]+[(\[]))",
     rf"{FRONT}[^\d\n]*(?P<open>[(\[]){HOUR}(?:\s?[-–]\s?{HOUR})?(?P<close>[)\]])",
     r"(?<=[^\W\d])[ \t]?(?P<open>\.{2,})(?P<close>)(?=[ \t]?\d)",
