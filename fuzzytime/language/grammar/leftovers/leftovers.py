@@ -99,7 +99,12 @@ def _looking(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
                     continue
                 if not around.known_names.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
                     continue
-                if is_of_thing(piece, around) or is_event(piece, around) or around.is_of_several(start):
+                if (
+                    _is_named(piece, known)
+                    or is_of_thing(piece, around)
+                    or is_event(piece, around)
+                    or around.is_of_several(start)
+                ):
                     continue
                 if says_of_thing(piece, around) or says_which(piece, around) or is_played(start, around):
                     continue
@@ -186,6 +191,12 @@ def says_which(piece: Piece, around: Surroundings) -> bool:
     known = led in around.closed.sure_noun_openers - around.closed.indefinite_determiners
     # "The cheddar, aged twelve months"
     return counted and ((unit and named and known) or led == "aged")
+
+
+def _is_named(piece: Piece, known: frozenset[int]) -> bool:
+    """Whether it is what goes on at the hour beside it: "8:30 bedtime", "lunch time: 1 pm"."""
+    beside = {piece.start - 2, piece.start - 1, piece.end, piece.end + 1}
+    return piece.category == "part" and piece.value.event and not known.isdisjoint(beside)
 
 
 def is_event(piece: Piece, around: Surroundings) -> bool:

@@ -33,9 +33,10 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments.lists.named_by_time import with_named_events
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, timed_lines
 from fuzzytime.language.sentence.segments.lists.unmarked import with_marks_between
-from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
+from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside, without_reminding
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.steps_apart import steps_apart
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
@@ -56,7 +57,15 @@ NAMING = "name"
 
 NOTED = "is taken as a note, and not planned"
 
-SAID = (with_time_in_front, with_gaps, said_apart, with_prepared_for, without_threats, with_told_apart)
+SAID = (
+    without_reminding,
+    with_time_in_front,
+    with_gaps,
+    said_apart,
+    with_prepared_for,
+    without_threats,
+    with_told_apart,
+)
 """What says a text in other words of the same length, in this order."""
 
 HEADED = "heading"
@@ -226,17 +235,10 @@ def _without_parts(
     bounds = beside_each_other(asides_of_hours(scanned), asides_of_needs(scanned))
     asides = beside_each_other(lengths, bounds)
     scanned = _again(scanned, blanked(scanned.text, (aside.span for aside in asides)), grammar)
-    for said in (
-        with_time_in_front,
-        with_gaps,
-        said_apart,
-        with_prepared_for,
-        without_threats,
-        with_told_apart,
-    ):
+    for said in SAID:
         scanned = _again(scanned, said(scanned), grammar)
     scanned, instances = instances_of(scanned, grammar)
-    phrases, remarks = corrected(scanned, phrases_of(scanned))
+    phrases, remarks = corrected(scanned, with_named_events(scanned, phrases_of(scanned)))
     return Draft(
         text,
         now,

@@ -2,11 +2,13 @@
 
 import re
 from collections.abc import Sequence
+from itertools import takewhile
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.instruction import blanked
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.lists.entries import Entry
 
@@ -43,14 +45,23 @@ def head_of(line: str, grammar: Grammar, lexicon: Lexicon) -> tuple[Phrase, int]
 def with_time_in_front(scanned: Scanned) -> str:
     """Give a text of the same length in which no full stop parts a time in front from what is then.
 
-    So it is in lists: "10:30 am. Registration", "Monday. Call Ann".
+    So it is in lists: "10:30 am. Registration", "Monday. Call Ann". Nor does "1 pm is" from "lunch time".
     """
     (first, *_) = phrases_of(scanned) or (None,)
     leads = first is not None and not first.first and not isinstance(first.said.time, TimeWord)
     behind = scanned.words[first.end :] if first is not None and leads else ()
-    if len(behind) < LEAST or behind[0].text not in FULL_STOPS or behind[0].glued is behind[1].glued:
+    if len(behind) < LEAST or behind[0].glued is behind[1].glued:
+        is_then = len(behind) > LEAST and behind[0].text in scanned.lexicon.closed.present_be
+        told = list(takewhile(lambda word: word.is_letters, behind)) if is_then else []
+        return blanked(scanned.text, [(told[0].start, told[0].end)] if _is_time(told) else [])
+    if behind[0].text not in FULL_STOPS:
         return scanned.text
     return scanned.text[: behind[0].start] + "," + scanned.text[behind[0].end :]
+
+
+def _is_time(told: Sequence[Word]) -> bool:
+    """Whether words end in what it is time for: "is snack time"."""
+    return bool(told) and told[-1].text == "time"
 
 
 def is_head(phrase: Phrase) -> bool:
