@@ -100,7 +100,7 @@ def _looking(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
                 if not around.known_names.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
                     continue
                 if (
-                    _is_named(piece, known)
+                    _is_named(piece, known, around)
                     or is_of_thing(piece, around)
                     or is_event(piece, around)
                     or around.is_of_several(start)
@@ -193,10 +193,15 @@ def says_which(piece: Piece, around: Surroundings) -> bool:
     return counted and ((unit and named and known) or led == "aged")
 
 
-def _is_named(piece: Piece, known: frozenset[int]) -> bool:
-    """Whether it is what goes on at the hour beside it: "8:30 bedtime", "lunch time: 1 pm"."""
-    beside = {piece.start - 2, piece.start - 1, piece.end, piece.end + 1}
-    return piece.category == "part" and piece.value.event and not known.isdisjoint(beside)
+def _is_named(piece: Piece, known: frozenset[int], around: Surroundings) -> bool:
+    """Whether it is what goes on at the hour beside it: "8:30 bedtime", "10:40 - 10:55: morning snack"."""
+    if piece.category != "part":
+        return False
+    before, behind = {piece.start - 2, piece.start - 1}, {piece.end, piece.end + 1}
+    marked = piece.start > 0 and around.texts[piece.start - 1] == ":" and not known.isdisjoint(before)
+    follower = around.follower(piece)
+    thing = follower.isalpha() and follower not in around.lexicon.function_words
+    return (piece.value.event and not known.isdisjoint(before | behind)) or (marked and thing)
 
 
 def is_event(piece: Piece, around: Surroundings) -> bool:

@@ -89,7 +89,7 @@ def without_reminding(scanned: Scanned) -> str:
 def _reminds_then(words: Sequence[Word], behind: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:
     """Whether a time or a clause stands behind "remind me", and then an order."""
     end = next((p for p in range(behind, len(words)) if words[p].text in ENDS), len(words))
-    marker = longest_match(words, behind, lexicon.clauses) or ()
+    marker = (longest_match(words, behind, lexicon.clauses) or ()) if behind < end else ()
     if behind not in times and not marker:
         return False
     first = behind + len(marker)
