@@ -78,8 +78,10 @@ class Cuts(Standing):
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
                 # "(Call mum at 9.)": what closes behind a full stop is no part of a number.
                 runs = after is not None and after.glued and (after.text[0].isalnum() or after.text == "-")
-                # "Dentist 9.30,gym 11"
-                runs = runs and not (word.text == "," and after is not None and after.is_letters)
+                # "Dentist 9.30,gym 11", and "7:30-feed the dogs" in front of a line
+                leads = word.text == "-" and not piece.start and ":" in self.texts[: piece.end]
+                apart = word.text == "," or leads
+                runs = runs and not (apart and after is not None and after.is_letters)
                 if word.text in {"%", "°"} or runs:
                     return True
         return self._runs_before(piece)

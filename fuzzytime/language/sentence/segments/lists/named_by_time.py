@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from itertools import takewhile
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -60,8 +59,11 @@ def _hour_beside(scanned: Scanned, event: Piece, first: int, end: int) -> Piece 
 
 
 def _things(words: Sequence[Word], lexicon: Lexicon) -> int:
-    """Give how many words name things, up to the first that does not."""
-    return sum(1 for _ in takewhile(lambda w: w.is_letters and w.text not in lexicon.function_words, words))
+    """Give how many words behind a part of the day say more of it: "story", "for the kids"."""
+    first = words[0].text if words else "the"
+    opens = first in lexicon.closed.prepositions_of_nouns or first not in lexicon.function_words
+    whole = opens and not any(word.is_digits or lexicon.means(word.text, "unit") for word in words)
+    return len(words) if whole else 0
 
 
 def _is_hour(said: Said) -> bool:
