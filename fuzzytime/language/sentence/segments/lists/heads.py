@@ -54,7 +54,9 @@ def with_time_in_front(scanned: Scanned) -> str:
         is_then = len(behind) > LEAST and behind[0].text in scanned.lexicon.closed.present_be
         told = list(takewhile(lambda word: word.is_letters, behind)) if is_then else []
         return blanked(scanned.text, [(told[0].start, told[0].end)] if _is_time(told) else [])
-    if behind[0].text not in FULL_STOPS:
+    part = None if first is None else first.said.wall.part
+    if behind[0].text not in FULL_STOPS or (part is not None and part.event):
+        # Another sentence begins behind "7:30 bedtime!".
         return scanned.text
     return scanned.text[: behind[0].start] + "," + scanned.text[behind[0].end :]
 

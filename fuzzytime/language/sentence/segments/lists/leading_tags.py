@@ -26,9 +26,10 @@ _UNSAID = (
     rf"{FRONT}(?:\d[\d.:–-]*[ \t]+)?{EMPHASIS}",
     rf"{FRONT}(?P<open>\|)|(?P<close>\|)[ \t]*$",
     r"^[ \t]*(?P<open>[-+*•–]|>+)(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
-    rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+=)(?P<close>)(?=[ \t]|[^\W\d])",
+    rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+[=:])(?P<close>)(?=[ \t]|[^\W\d])",
     rf"{FRONT}[^\W\d][^\n,\d]*(?P<open>,)(?P<close>)(?=[ \t]+{HOUR}(?:$|,|[ \t]+[(\[]))",
     rf"{FRONT}[^\d\n]*(?P<open>[(\[]){HOUR}(?:\s?[-–]\s?{HOUR})?(?P<close>[)\]])",
+    r"(?<=[^\W\d][ \t])(?P<open>\()[ap]\.?m\.?(?P<close>\))",
     r"(?<=[^\W\d])[ \t]?(?P<open>\.{2,})(?P<close>)(?=[ \t]?\d)",
     r"(?P<open>!?\[)[^\]\[\n]+(?P<close>\]\([^()\s]*\))",
     r"(?P<open>\[\[(?:[^\]\[|\n]+\|)?)[^\]\[|\n]+(?P<close>\]\])",
@@ -45,7 +46,7 @@ Then those of links, of which the words are read and not where they lead, and wh
 
 BEHIND_STRETCH = re.compile(
     rf"{FRONT}(?:{HOUR}|(?:2[0-3]|[01]?\d)(?:\s?[ap]m)?)\s?[-–—]+\s?(?:{HOUR}|(?:2[0-3]|[01]?\d)\s?[ap]m)"
-    r"(?P<mark>[?!.]|[ \t]*[-–—]+|[ \t]+/{1,2})(?=[ \t]+[^\W\d])",
+    r"(?P<mark>[?!.]|[ \t]*[-–—]+|[ \t]+(?:/{1,2}|:))(?=[ \t]+[^\W\d])",
     re.MULTILINE | re.IGNORECASE,
 )
 """From when to when it is, in front of a line, and a mark before what that is: "9:30 - 10:05 // Hall"."""
