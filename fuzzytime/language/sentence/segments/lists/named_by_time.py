@@ -1,7 +1,8 @@
 """What is named by the part of the day in which it is, beside its hour: "8:30 bedtime", "Lunch time 1 pm"."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -16,28 +17,18 @@ from fuzzytime.language.sentence.segments.segment import ENDS
 def with_named_events(scanned: Scanned, phrases: Sequence[Phrase]) -> list[Phrase]:
     """Give times without such a part of the day, where its hour, and perhaps a thing, stand beside it."""
     events = [piece for piece in scanned.pieces("part") if piece.value.event]
-    found = list(phrases)
-    for first, end in _entries(scanned, phrases) if events else ():
-        event = max(
-            (piece for piece in events if first <= piece.start and piece.end <= end),
-            key=lambda piece: piece.end - piece.start,
-            default=None,
-        )
-        hour = None if event is None else _hour_beside(scanned, event, first, end)
+    inside, found = places_in(phrases), list(phrases)
+    marks = (p for p, word in enumerate(scanned.words) if word.text in ENDS | {","} and p not in inside)
+    for before, end in pairwise((-1, *marks, len(scanned.words))) if events else ():
+        whole = [piece for piece in events if before < piece.start and piece.end <= end]
+        event = max(whole, key=lambda piece: piece.end - piece.start, default=None)
+        hour = None if event is None else _hour_beside(scanned, event, before + 1, end)
         if event is not None and hour is not None:
             span = scanned.words[hour.start].start, scanned.words[hour.end - 1].end
             said = _in_half(hour.value, event.value)
-            found = [phrase for phrase in found if not first <= phrase.first < end]
+            found = [phrase for phrase in found if not before < phrase.first < end]
             found.append(Phrase(said, hour.start, hour.end, span, hour.rule))
     return sorted(found, key=lambda phrase: phrase.first)
-
-
-def _entries(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[tuple[int, int]]:
-    """Give from where to where words stand between marks that end a sentence."""
-    words, inside = scanned.words, places_in(phrases)
-    marks = ENDS | {","}
-    ends = [place for place, word in enumerate(words) if word.text in marks and place not in inside]
-    yield from zip([0, *(place + 1 for place in ends)], [*ends, len(words)], strict=True)
 
 
 def _hour_beside(scanned: Scanned, event: Piece, first: int, end: int) -> Piece | None:
