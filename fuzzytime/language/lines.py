@@ -1,4 +1,4 @@
-"""Lines of a text: where one ends a sentence though no mark says so, and the hour in front of one."""
+"""Lines of a text: where one ends a sentence though no mark says so."""
 
 import re
 from collections.abc import Set as AbstractSet
@@ -13,19 +13,6 @@ HEADING = re.compile(r"[^\n]*:[ \t\r]*\n")
 
 FIRST = re.compile(r"[^\W\d_]+")
 """The first word of a line."""
-
-_HOUR = r"\d{1,2}(?:[:.]\d\d)?[ ]?(?:[ap]m?\b)?"
-HEAD = re.compile(
-    rf"""
-    ^[ \t]* (?:[^\W\d_]+[ ])? (?P<hours> {_HOUR} (?:[ ]?[-–][ ]?{_HOUR})? )
-    (?P<mark> \.(?=[ ]+[^\W\d_]) | [-–](?=[^\W\d_]) )
-    """,
-    re.MULTILINE | re.IGNORECASE | re.VERBOSE,
-)
-"""An hour in front of a line, or from when to when, and its mark: "5pm. Unpack", "around 6:30p-bath"."""
-
-HOUR_MARKS = {".": ":", "-": " ", "–": " "}
-"""What stands for such a mark, by what was typed."""
 
 STOP = ";"
 """The mark that stands for the end of a line: it ends a sentence also where no space follows."""
@@ -52,19 +39,4 @@ def with_stops(text: str, function_words: AbstractSet[str]) -> str:
         begins = (match["after"].isupper() or listed) and match["before"].lower() not in function_words
         if begins or match["bullet"] is not None:
             found[match.start("end")] = STOP
-    return "".join(found)
-
-
-def with_hours_apart(text: str) -> str:
-    """Put the mark behind an hour in front of each line so that the hour is of what follows.
-
-    A number alone counts steps: "5. Rinse".
-
-    >>> with_hours_apart("5pm. Unpack the bags"), with_hours_apart("6:30p-bath"), with_hours_apart("5. Rinse")
-    ('5pm: Unpack the bags', '6:30p bath', '5. Rinse')
-    """
-    found = list(text)
-    for match in HEAD.finditer(text):
-        if ":" in match["hours"] or any(letter.isalpha() for letter in match["hours"]):
-            found[match.start("mark")] = HOUR_MARKS[match["mark"]]
     return "".join(found)

@@ -10,7 +10,7 @@ from fuzzytime.language.finding import check_length, lexicon_with, shipped_gramm
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading, Remark, RemarkKind
-from fuzzytime.language.lines import with_hours_apart, with_stops
+from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.recent import Recent, moment_as_typed
 from fuzzytime.language.sentence.compose import composed
@@ -231,8 +231,7 @@ class Language:
         for text, _ in texts:
             check_length(text)
         function_words = self.lexicon.function_words
-        seen = ((with_hours_apart(without_unseen(text)), now) for text, now in texts)
-        stopped = [(with_stops(text, function_words), now) for text, now in seen]
+        stopped = [(with_stops(without_unseen(text), function_words), now) for text, now in texts]
         return drafted(stopped, self.grammar, self.lexicon, self.trees, together=together)
 
     def trees(self, texts: Sequence[str]) -> list[Tree]:

@@ -226,3 +226,24 @@ def test_numbers_boxes_and_fields_of_lists_leave_hours_as_they_are(
     line: str, wanted: tuple[str, str]
 ) -> None:
     assert wanted in _told("1. 9.15 - van", "- [ ] 10.30 wake Ann", line, "- 1.20 lunch", "5) 3.10 tea")
+
+
+def test_a_number_behind_the_only_entry_of_an_hour_is_its_name() -> None:
+    lines = ("9:30 group 1", "10:05 – 10:40 // Activity 2", "11:15 session 3", "12:30 lunch")
+    assert [name for name, _ in _told(*lines)] == ["group 1", "Activity 2", "session 3", "lunch"]
+    assert ("gym", "18:00") in _told("9.30 vet, gym 6", "11.00 bank", "12.30 lunch")
+
+
+def test_hours_without_a_mark_may_have_a_colon_apart() -> None:
+    lines = (
+        "0900 – 0930 : Welcome",
+        "0930 - 1015 : Opening talk",
+        "1015 – 1030 : Morning tea",
+        "1030 : Tour",
+    )
+    assert _told(*lines) == [
+        ("welcome", "09:00"),
+        ("Opening talk", "09:30"),
+        ("Morning tea", "10:15"),
+        ("Tour", "10:30"),
+    ]

@@ -143,3 +143,22 @@ def test_a_heading_pasted_into_a_conversation_holds_for_the_lines_below() -> Non
     (answer,) = talk.paste("## Saturday", "- [ ] call mum at noon", "- [ ] iron the shirts at two")
     assert "Sat 12:00" in answer
     assert "Sat 14:00" in answer
+
+
+@pytest.mark.parametrize("hour", ["4.30 pm", "16:30", "4pm", "3 - 4 p.m.", "9:30 – 10:15"])
+def test_an_hour_on_a_line_of_its_own_is_that_of_what_is_below(hour: str) -> None:
+    assert said(f"{hour}\n\nPortraits\nCake") == [(3, f"{hour} Portraits"), (4, "Cake")]
+
+
+def test_a_bullet_below_an_hour_is_no_part_of_what_is_then() -> None:
+    assert said("4 pm\n- Portraits\n- Cake") == [(2, "4 pm Portraits"), (3, "- Cake")]
+    assert said("4 - 5 pm\n- Portraits") == [(1, "4 - 5 pm"), (2, "- Portraits")]
+
+
+@pytest.mark.parametrize("below", ["5 pm cake", "Sunday:"])
+def test_an_hour_alone_stays_so_above_another_or_a_heading(below: str) -> None:
+    assert said(f"4.30 pm\n{below}") == [(1, "4.30 pm"), (2, below)]
+
+
+def test_a_number_alone_is_no_hour() -> None:
+    assert said("4\nPortraits") == [(1, "4"), (2, "Portraits")]

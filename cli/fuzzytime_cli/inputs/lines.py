@@ -64,6 +64,13 @@ RULE = re.compile(r"[|\s]*:?-{2,}[-:|\s]*\|[-:|\s]*")
 NUMBER = re.compile(r"\d[\d.:\s–-]*[^\W\d]{,2}")
 """A cell that is an hour: "9.15 - 10", "8pm"."""
 
+_TIME = r"\d{1,2}(?:[:.]\d\d)?(?:\s?[ap]\.?m\.?)?"
+HOUR = re.compile(rf"(?=.*(?:[:.]\d|m)){_TIME}(?P<until>\s?[–—-]\s?{_TIME})?", re.IGNORECASE)
+"""A line that is an hour, or from when to when, and nothing else: what is then stands below it."""
+
+BULLET = re.compile(r"[-*+•]\s+")
+"""What a line of a list may begin with."""
+
 
 def said_in(line: str, *, marked: bool = False) -> str:
     """Give what a line asks for, without its box: nothing where it is a comment, or ticked off.
@@ -140,6 +147,12 @@ def is_ticked_off(line: str) -> bool:
     return (BOX.match(words) or STRUCK.fullmatch(words)) is not None and not said_in(line)
 
 
+def _is_then(words: str, hour: re.Match[str]) -> bool:
+    """Whether a line is what is at the hour above it; marked lines in a stretch may all be."""
+    listed = hour["until"] is not None and BULLET.match(words) is not None
+    return not (words[0].isdigit() or words.endswith(":") or listed)
+
+
 def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     """Give the instructions of a text, with their lines.
 
@@ -152,6 +165,7 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     """
     wishes: list[SpokenWish] = []
     mistakes: list[Mistake] = []
+    hour: re.Match[str] | None = None
     lines = source.text.split("\n")
     front = _front(lines)
     lines[:front] = [""] * front
@@ -160,6 +174,11 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
         words = said_in(without_cells(REMARK.sub("", line)), marked=marked)
         if not words or RULE.fullmatch(line) or ("|" in line and RULE.fullmatch(below)):
             continue
+        if hour is not None and _is_then(words, hour):
+            # "4.30 pm", and below it "Portraits"
+            words = f"{hour[0]} {BULLET.sub('', words, count=1)}"
+            wishes.pop()
+        hour = HOUR.fullmatch(words)
         if len(wishes) == MAX_INSTRUCTIONS:
             rule = (
                 f"a plan must hold at most {MAX_INSTRUCTIONS:,} instructions (for several files, see: batch)"

@@ -112,7 +112,7 @@ class Part:
 
     ``late`` is where its late half begins; None for its middle. ``meal`` says that it is an event too, that
     instructions can be about, ``place`` that it is one where people are. ``due`` says that it is what a day
-    has before a deadline, and begins when a policy says.
+    has before a deadline, and begins when a policy says. An ``event`` is what goes on then, beside an hour.
     """
 
     name: str
@@ -123,6 +123,7 @@ class Part:
     late: int | None = None
     place: bool = False
     due: bool = False
+    event: bool = False
 
     @property
     def is_point(self) -> bool:

@@ -31,9 +31,9 @@ def part_share(share: tuple[float, float], found: Part) -> Part | None:
     return None if found.is_point else found.share(*share)
 
 
-@grammar.rule("wall", "<parted>", "in|during|at|for|over? the? <parted>", weight=-0.05)
+@grammar.rule("wall", "<parted>", "in|during|at|for|over? the? <parted>", "in the <day_half>", weight=-0.05)
 def wall_of_part(found: Part) -> Wall:
-    """Morning, in the evening, at lunch."""
+    """Morning, in the evening, at lunch, in the pm."""
     return Wall(part=found)
 
 

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Cycle, is_weekday
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat, timed_as
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Part
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -85,21 +85,32 @@ def moment(wall: Wall) -> tuple[Wall, ...] | None:
     return (wall,) if wall.days is None and (wall.clock is not None or wall.part is not None) else None
 
 
-@grammar.rule("moments", "<moments> ,|and at|@|in|once? <wall>", "<moments> , and at|@|in|once? <wall>")
-def more_moments(moments: tuple[Wall, ...], wall: Wall) -> tuple[Wall, ...] | None:
+@grammar.rule("moments", "<day_half>", weight=-0.1)
+def half_as_moment(half: Part) -> tuple[Wall, ...]:
+    """(twice a day) am (and pm)."""
+    return (Wall(part=half),)
+
+
+@grammar.rule(
+    "moments",
+    "<moments> ,|and|& at|@|in|once? <wall>|<day_half>",
+    "<moments> , and at|@|in|once? <wall>|<day_half>",
+)
+def more_moments(moments: tuple[Wall, ...], further: Wall | Part) -> tuple[Wall, ...] | None:
     """At eight, at noon and at six."""
-    last = moment(wall)
+    last = moment(further) if isinstance(further, Wall) else half_as_moment(further)
     return None if last is None else (*moments, *last)
 
 
 @grammar.rule(
     "repeat",
     "<repeat> ,|:|-? at|@|in|once? <moments>",
+    "<repeat> ( at|@|in|once? <moments> )",
     "at|@|in? <moments> , <repeat>",
     weight=0.7,
 )
 def so_often_at(first: Repeat | tuple[Wall, ...], second: tuple[Wall, ...] | Repeat) -> Repeat | None:
-    """Twice a day, at eight and six; three times a day: morning, noon and night."""
+    """Twice a day, at eight and six; three times a day: morning, noon and night; twice a day (am and pm)."""
     repeat, moments = (first, second) if isinstance(first, Repeat) else (second, first)
     if not isinstance(repeat, Repeat) or isinstance(moments, Repeat) or repeat.every is None:
         return None

@@ -107,7 +107,8 @@ class Ranges(Standing):
     def heads_meal(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether a dash stands in front, between a clock time and the meal then: "12:00 - lunch".
 
-        So do two hours from when to when, which are no date: "@12-1 lunch".
+        So do two hours from when to when, which are no date: "@12-1 lunch". A number in words behind an
+        hour as typed counts what is then: "7:30 pm - one can of food".
         """
         if not isinstance(time, Range):
             dated = isinstance(time, Wall) and time.days is not None and time.part is not None
@@ -118,6 +119,10 @@ class Ranges(Standing):
         first, last = time.first, time.last
         if not isinstance(first, Wall) or not isinstance(last, Wall) or first.clock is None:
             return False
+        if last.bare and not first.bare:
+            typed = any(word.is_digits for word in self.words[piece.start : dash])
+            spelled = self.words[piece.end - 1].is_letters
+            return typed and spelled and piece.end == dash + 2 and self.around.follower(piece) != ""
         meal = last.part if last.clock is None else None
         # "10am - lunch" is until then.
         return (

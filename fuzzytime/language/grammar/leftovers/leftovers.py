@@ -99,7 +99,12 @@ def _looking(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
                     continue
                 if not around.known_names.isdisjoint(range(piece.start, piece.end)) or figures.has(piece):
                     continue
-                if is_of_thing(piece, around) or is_event(piece, around) or around.is_of_several(start):
+                if (
+                    _is_named(piece, known, around)
+                    or is_of_thing(piece, around)
+                    or is_event(piece, around)
+                    or around.is_of_several(start)
+                ):
                     continue
                 if says_of_thing(piece, around) or says_which(piece, around) or is_played(start, around):
                     continue
@@ -186,6 +191,17 @@ def says_which(piece: Piece, around: Surroundings) -> bool:
     known = led in around.closed.sure_noun_openers - around.closed.indefinite_determiners
     # "The cheddar, aged twelve months"
     return counted and ((unit and named and known) or led == "aged")
+
+
+def _is_named(piece: Piece, known: frozenset[int], around: Surroundings) -> bool:
+    """Whether it is what goes on at the hour beside it: "8:30 bedtime", "10:40 - 10:55: morning snack"."""
+    if piece.category != "part":
+        return False
+    before, behind = {piece.start - 2, piece.start - 1}, {piece.end, piece.end + 1}
+    marked = piece.start > 0 and around.texts[piece.start - 1] == ":" and not known.isdisjoint(before)
+    follower = around.follower(piece)
+    thing = follower.isalpha() and follower not in around.lexicon.function_words
+    return (piece.value.event and not known.isdisjoint(before | behind)) or (marked and thing)
 
 
 def is_event(piece: Piece, around: Surroundings) -> bool:

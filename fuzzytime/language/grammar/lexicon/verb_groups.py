@@ -26,6 +26,7 @@ class Doing(NamedTuple):
     beyond_levels: Words
     going_on: Words
     for_days: Words
+    for_then: Words
     by_then: Words
     naming_nothing: Words
     by_the_day: Words

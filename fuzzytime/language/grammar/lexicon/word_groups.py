@@ -55,6 +55,7 @@ class ClosedClasses(NamedTuple):
     subjects_told_of: Words
     subjects_as_typed: Words
     speakers: Words
+    reminded_by: Words
     indefinite_pronouns: Words
     negative_pronouns: Words
     persons_addressed: Words

@@ -59,11 +59,29 @@ def tells_when_due(piece: Piece, texts: Sequence[str], lexicon: Lexicon) -> bool
 
 
 def due_then(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
-    """Read "for" before a clock time as "by", behind what must be there, or ready, then."""
+    """Read "for" before a clock time as "by", behind what must be there, or ready, then.
+
+    So it is before a day for which something is made ready: "pack a bag for monday" is done before it begins.
+    """
     said = phrase.said
-    clocked = said.wall.clock is not None
-    at = said.constraint in MOMENTS and said.preposition == "for"
-    if not clocked or not at or not is_due([word.text for word in words], phrase.first, lexicon):
+    if said.constraint not in MOMENTS or said.preposition != "for":
         return phrase
-    due = replace(said, preposition="by", constraint=Constraint.BEFORE, edge=Edge.DUE)
-    return replace(phrase, said=due)
+    texts = [word.text for word in words]
+    if said.wall.clock is not None and is_due(texts, phrase.first, lexicon):
+        due = replace(said, preposition="by", constraint=Constraint.BEFORE, edge=Edge.DUE)
+        return replace(phrase, said=due)
+    if said.wall.clock is None and said.wall.days is not None and _is_made_ready(texts, phrase, lexicon):
+        return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.START))
+    return phrase
+
+
+def _is_made_ready(texts: Sequence[str], phrase: Phrase, lexicon: Lexicon) -> bool:
+    """Whether what stands in front makes a thing ready, that does not have a time itself.
+
+    It is "set out the cups", and not "set the alarm"; "prepare the meeting for monday" is of when that is.
+    """
+    first = max((p + 1 for p in range(phrase.first) if texts[p] in lexicon.beside.stops), default=0)
+    clause = [text for text in texts[first : phrase.first] if text not in lexicon.addresses]
+    alone = clause[:1] and clause[0] in lexicon.doing.for_then
+    out = alone and (clause[0] not in lexicon.doing.putting or "out" in clause)
+    return len(clause) > 1 and bool(out) and lexicon.beside.timed_things.isdisjoint(clause)

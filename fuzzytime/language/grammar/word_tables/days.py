@@ -84,11 +84,12 @@ def read_parts(tables: Tables) -> None:
 
     def part(name: str, row: Row) -> Iterable[tuple[str, Any]]:
         start, end, half = row.clock("from"), row.clock("to"), row.choice("half", Half.DAY)
-        meal, place = row.flag("meal"), row.flag("place")
+        meal, place, event = row.flag("meal"), row.flag("place"), row.flag("event")
         late = row.clock("late") if row.has("late") else None
         if late is not None and not start <= late <= end:
             tables.reader.mistake(*row.at("late"), "a part's late half must begin inside it")
-        parts[name] = Part(name, start, end + (86400 if end < start else 0), half, meal, late, place)
+        end += 86400 if end < start else 0
+        parts[name] = Part(name, start, end, half, meal, late, place, event=event)
         if not meal and parts[name].start != parts[name].end:
             plural = (*form_of(name)[:-1], form_of(name)[-1] + "s")
             tables.add(row.fields["from"], row.key, "parts", parts[name], [plural])
@@ -101,7 +102,7 @@ def read_parts(tables: Tables) -> None:
     tables.table(
         "parts",
         {"from": True, "to": True, "half": True, "meal": False, "late": False, "place": False}
-        | {"main": False, "each": False},
+        | {"main": False, "each": False, "event": False},
         part,
     )
     if main and "all_meals" in tables.sections:

@@ -22,6 +22,7 @@ from fuzzytime.language.sentence.segments.events.event_edges import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.events.prepared_for import with_prepared_for
 from fuzzytime.language.sentence.segments.lists.dividers import divided
+from fuzzytime.language.sentence.segments.lists.heads import with_time_in_front
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import Timed, hours_in
 from fuzzytime.language.sentence.segments.lists.joints import without_joints
 from fuzzytime.language.sentence.segments.lists.leading_tags import (
@@ -33,10 +34,11 @@ from fuzzytime.language.sentence.segments.lists.leading_tags import (
     without_bullets,
 )
 from fuzzytime.language.sentence.segments.lists.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments.lists.named_by_time import with_named_events
 from fuzzytime.language.sentence.segments.lists.numbered_periods import NumberedPeriod, numbered_periods
 from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, timed_lines
 from fuzzytime.language.sentence.segments.lists.unmarked import with_marks_between
-from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside
+from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside, without_reminding
 from fuzzytime.language.sentence.segments.rounds import parted
 from fuzzytime.language.sentence.segments.steps_apart import steps_apart
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
@@ -62,7 +64,16 @@ TITLED = "is taken as a title, and not planned"
 HEADED = "heading"
 """The rule of a time that a line above says."""
 
-READ_APART = (with_gaps, said_apart, with_prepared_for, without_threats, with_told_apart, with_brackets_apart)
+READ_APART = (
+    without_reminding,
+    with_time_in_front,
+    with_gaps,
+    said_apart,
+    with_prepared_for,
+    without_threats,
+    with_told_apart,
+    with_brackets_apart,
+)
 """What gives a text of the same length in which more is told apart, in the order of their reading."""
 
 
@@ -251,7 +262,7 @@ def _without_parts(
     for said in READ_APART:
         scanned = _again(scanned, said(scanned), grammar)
     scanned, instances = instances_of(scanned, grammar)
-    phrases, remarks = corrected(scanned, phrases_of(scanned))
+    phrases, remarks = corrected(scanned, with_named_events(scanned, phrases_of(scanned)))
     return Draft(
         text,
         now,

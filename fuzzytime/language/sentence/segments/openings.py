@@ -4,9 +4,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Span
+from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.meaning.expressions import Duration, Phrase
+
+ENDS = frozenset({".", "!", "?", ";", "\n"})
+"""Marks behind which no words belong to what stands before them."""
+
+REMIND_ME = 2
+"""Words of it."""
+
+CLAUSE = 3
+"""Words of a clause behind its marker, at least: "when I get home"."""
 
 CAN_YOU = 2
 """Words that ask somebody: "can you"."""
@@ -58,6 +68,48 @@ def _suggested(words: Sequence[Word], begin: int, lexicon: Lexicon) -> tuple[str
     verb = words[behind].text.removesuffix("n't")
     told = (verb,) in lexicon.questions["helping"] or verb in lexicon.closed.stative_verbs
     return None if told else found
+
+
+def without_reminding(scanned: Scanned) -> str:
+    """Give a text of the same length without "remind me" before a time and an order without "to".
+
+    So is dictated: "remind me at 8 feed the cat", "remind me when I get home water the plants".
+    """
+    words, lexicon = scanned.words, scanned.lexicon
+    recalled = (place for place, word in enumerate(words[:-1]) if word.text in lexicon.doing.recalling)
+    spans = (
+        (words[place].start, words[place + 1].end)
+        for place in recalled
+        if words[place + 1].text in lexicon.closed.speakers
+        and _reminds_then(words, place + REMIND_ME, {phrase.first for phrase in phrases_of(scanned)}, lexicon)
+    )
+    return blanked(scanned.text, spans)
+
+
+def _reminds_then(words: Sequence[Word], behind: int, times: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether a time or a clause stands behind "remind me", and then an order."""
+    end = next((p for p in range(behind, len(words)) if words[p].text in ENDS), len(words))
+    marker = (longest_match(words, behind, lexicon.clauses) or ()) if behind < end else ()
+    if behind not in times and not marker:
+        return False
+    first = behind + len(marker)
+    # "After lunch"
+    short = behind in times or lexicon.means(words[min(first, end - 1)].text, "meal", "part")
+    places = range(first + (1 if short else CLAUSE), end - 1)
+    order = next((place for place in places if _is_ordered(words, place, lexicon)), None)
+    return order is not None and lexicon.closed.reminded_by.isdisjoint(
+        word.text for word in words[behind + len(marker) : order]
+    )
+
+
+def _is_ordered(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether an order begins at a place, and nothing that somebody does."""
+    closed, word = lexicon.closed, words[place]
+    acts = words[place + 1].text in closed.noun_openers | closed.it_or_them and word.is_letters
+    acts = acts and word.text not in lexicon.function_words and not word.text.endswith("s")
+    acts = acts and not any(lexicon.pieces(words, place))
+    ordered = acts or (word.text in lexicon.orders and words[place + 1].is_letters)
+    return ordered and words[place - 1].text not in closed.subject_pronouns
 
 
 def _supposed(words: Sequence[Word], begin: int, end: int, lexicon: Lexicon) -> tuple[str, ...] | None:

@@ -205,7 +205,7 @@ def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
 
 
 def _leads(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether a time stands in front of its sentence: "hey robot, at 6 p.m. add the salt"."""
+    """Whether a time stands in front of its sentence: "hey robot, at 6 p.m. add the salt", "6 p.m. Bath"."""
     ends = (place + 1 for place in range(phrase.first) if words[place].text in ENDS)
     begin = max(ends, default=0)
     return behind_opening(words, begin, phrase.end, {phrase.first}, lexicon) == phrase.first

@@ -282,7 +282,7 @@ class Waiting:
 def _main(source: Source, segment: Segment) -> int:
     """Give where the words behind a clause in front begin; the segment's start where there is none.
 
-    The clause ends at a comma.
+    The clause ends at a comma, or a colon: "after the meeting: go home, call Ann".
     """
     words, lexicon = source.scanned.words, source.scanned.lexicon
     places = source.places(*segment.span)
@@ -295,7 +295,8 @@ def _main(source: Source, segment: Segment) -> int:
     if marker is None and not inverted:
         return segment.span[0]
     behind = places[0] + 1 if marker is None else marker.end
-    commas = [place for place in places if place >= behind and words[place].text == ","]
+    apart = [p for p in places if p >= behind and p + 1 in places and words[p].text in {",", ":"}]
+    commas = [p for p in apart if words[p].text == "," or not (p in source.covered or words[p + 1].glued)]
     comma = next(iter(commas), None)
     for following in commas[1:]:
         # "After the museum, but before it gets dark, find a place to eat"

@@ -61,7 +61,7 @@ class Cuts(Standing):
     def runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
         if piece.end < len(self.words):
-            word = self.words[piece.end]
+            first, word = self.words[piece.start], self.words[piece.end]
             if word.text == "'s":
                 # "A day's work"
                 return True
@@ -75,14 +75,16 @@ class Cuts(Standing):
             if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
                 return True
             if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
-                # "Twenty-year-old", "second-hand"
-                return True
+                # "Twenty-year-old", "second-hand"; but "7:00 am-let the dog out"
+                return not (first.is_digits and not piece.start and last.text in self.beside.of_hours)
             if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
                 # "(Call mum at 9.)": what closes behind a full stop is no part of a number.
                 runs = after is not None and after.glued and (after.text[0].isalnum() or after.text == "-")
-                # "Dentist 9.30,gym 11"
-                runs = runs and not (word.text == "," and after is not None and after.is_letters)
+                # "Dentist 9.30,gym 11", and "7:30-feed the dogs" in front of a line
+                leads = word.text == "-" and not piece.start and ":" in self.texts[: piece.end]
+                apart = word.text == "," or leads
+                runs = runs and not (apart and after is not None and after.is_letters)
                 if word.text in {"%", "°"} or runs:
                     return True
         return self._runs_before(piece)

@@ -39,19 +39,23 @@ FEW = 5
 
 def heads_list(words: Sequence[Word], start: int, end: int) -> bool:
     """Whether a colon behind words makes them the head of what stands behind it: "AM: post, bank"."""
-    begins = not start or words[start - 1].text in LINE_STARTS | STOPS
+    begins = not start or words[start - 1].text in LINE_STARTS | STOPS | HEADS
     behind = [word.text for word in words[end : end + 1]]
     return begins and behind == [":"] and end + 1 < len(words)
 
 
 def ends_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
-    """Whether a half of the day stands behind what is done then: "gym am, shops pm"; but "I am"."""
+    """Whether a half of the day stands behind what is done then: "gym am, shops pm"; but "I am".
+
+    A bracket may stand between: "sports day (pm)", "one pill (am and pm)".
+    """
     joints = lexicon.closed.joints_of_orders
     halved = [word.text in lexicon.beside.of_hours for word in words[max(0, start - 2) : max(0, start - 1)]]
     # "Walk the dog am & pm"
     place = start - (3 if halved == [True] and words[start - 1].text in joints else 1)
+    place -= place >= 0 and words[place].text == "("
     named = place >= 0 and words[place].is_letters and words[place].text not in lexicon.function_words
-    return named and all(word.text in LINE_STARTS | STOPS | joints for word in words[end : end + 1])
+    return named and all(word.text in LINE_STARTS | STOPS | joints | {")"} for word in words[end : end + 1])
 
 
 def is_activity_in_part(piece: Piece, around: Surroundings) -> bool:

@@ -2,12 +2,14 @@
 
 import re
 from collections.abc import Sequence
+from itertools import takewhile
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.words import words_of
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
+from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.instruction import blanked
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.lists.entries import Entry
 
 HEAD = re.compile(r"\s*([^\d\W][^:,;]*?)\s*(?::(?=\s)|\s[-–—](?=\s))")
@@ -25,6 +27,9 @@ FEW = 3
 LEAST = 2
 """Entries of a list at least."""
 
+FULL_STOPS = frozenset({".", "!", "?"})
+"""Marks that end a sentence, but not behind a time alone."""
+
 
 def head_of(line: str, grammar: Grammar, lexicon: Lexicon) -> tuple[Phrase, int] | None:
     """Give the day or repetition that heads a line, and where the list behind its mark begins."""
@@ -35,6 +40,30 @@ def head_of(line: str, grammar: Grammar, lexicon: Lexicon) -> tuple[Phrase, int]
     phrases = [one for one in phrases_of(scanned) if is_head(one)]
     whole = [one for one in phrases if not one.first and one.span[1] == len(found[1])]
     return (whole[0], found.end()) if whole else None
+
+
+def with_time_in_front(scanned: Scanned) -> str:
+    """Give a text of the same length in which no full stop parts a time in front from what is then.
+
+    So it is in lists: "10:30 am. Registration", "Monday. Call Ann". Nor does "1 pm is" from "lunch time".
+    """
+    (first, *_) = phrases_of(scanned) or (None,)
+    leads = first is not None and not first.first and not isinstance(first.said.time, TimeWord)
+    behind = scanned.words[first.end :] if first is not None and leads else ()
+    if len(behind) < LEAST or behind[0].glued is behind[1].glued:
+        is_then = len(behind) > LEAST and behind[0].text in scanned.lexicon.closed.present_be
+        told = list(takewhile(lambda word: word.is_letters, behind)) if is_then else []
+        return blanked(scanned.text, [(told[0].start, told[0].end)] if _is_time(told) else [])
+    part = None if first is None else first.said.wall.part
+    if behind[0].text not in FULL_STOPS or (part is not None and part.event):
+        # Another sentence begins behind "7:30 bedtime!".
+        return scanned.text
+    return scanned.text[: behind[0].start] + "," + scanned.text[behind[0].end :]
+
+
+def _is_time(told: Sequence[Word]) -> bool:
+    """Whether words end in what it is time for: "is snack time"."""
+    return bool(told) and told[-1].text == "time"
 
 
 def is_head(phrase: Phrase) -> bool:

@@ -26,6 +26,12 @@ from fuzzytime.language.sentence.segments.lists.typed_hours import (
 PLACED = 3
 """Words of a thing that is in some place at least: "joint in the oven"."""
 
+ONLY = re.compile(
+    r"\d{1,2}(?:[:.]\d\d)?(?:\s?[ap]m)?(?:\s?[-–—]\s?\d{1,2}[:.]\d\d(?:\s?[ap]m)?)?\W{0,3}(?:\s[^\W\d][\w'’]*)+",
+    re.IGNORECASE,
+)
+"""An hour, or from when to when, and words without a mark between: "9:30 - 10:05: group"."""
+
 BESIDE_HOURS = (
     "hedge", "hedge_after", "preposition_at", "preposition_before", "preposition_after", "forward", "within",
     "weekday", "day", "month", "unit",
@@ -188,12 +194,17 @@ def _is_within_hour(found: re.Match[str]) -> bool:
 
 
 def _numbers(found: re.Match[str]) -> bool:
-    """Whether numbers alone say which, behind an hour in front: "9.30 ovens (deck 1)", "8.15 rows 2 & 3"."""
+    """Whether numbers alone say which, behind an hour in front: "9.30 ovens (deck 1)", "8.15 rows 2 & 3".
+
+    So does one at the end of the only entry of a line: "9:30 group 1", but "9.30 vet, gym 6".
+    """
     before = found.string[: found.start()]
-    led = before[before.rfind("\n") + 1 :].lstrip()[:1].isdigit()
+    before = before[before.rfind("\n") + 1 :].lstrip()
+    led = before[:1].isdigit()
     alone = not (found["minutes"] or found["digits"] or found["until"])
     several = found["more"] is not None and not any(mark in found["more"] for mark in ".:")
-    return led and alone and (several or before.count("(") > before.count(")"))
+    only = found["ends"] is not None and not found["gap"] and ONLY.fullmatch(before) is not None
+    return led and alone and (only or several or before.count("(") > before.count(")"))
 
 
 def _takes(before: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -24,16 +24,20 @@ HOUR = r"(?:2[0-3]|[01]?\d)(?:[.:h]|(?<=[01]\d))[0-5]\d(?:\s?[ap]m)?"
 FRONT = r"^[ \t]*(?:[-+*•–][ \t]+)?(?:\[[ \t]?\][ \t]+)?(?:\d{1,2}[.)][ \t]+)?"
 HALF = r"[ \t]?[ap]\.?m\b"
 OF_HALF = rf"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?{HALF}"
+ANY = r"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?"
+GLUED = rf"(?:[^\W\d]+[ ])?(?:{ANY}[ ]?[-–][ ]?)?(?:{HOUR}|{ANY}[ap]m?)"
 EMPHASIS = r"(?P<open>\*{1,2}|__)(?=[\w([])[^*_\n]*(?<=\S)(?P<close>(?P=open))(?!\w)"
 _UNSAID = (
     rf"{FRONT}(?:\d[\d.:–-]*[ \t]+)?{EMPHASIS}",
     rf"{FRONT}(?P<open>\|)|(?P<close>\|)[ \t]*$",
     r"^[ \t]*(?P<open>[-+*•–]|>+)(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
-    rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+=)(?P<close>)(?=[ \t]|[^\W\d])",
-    rf"{FRONT}{OF_HALF}(?P<open>\.)(?P<close>)(?=[ \t]+[^\W\d])",
+    rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+[=:])(?P<close>)(?=[ \t]|[^\W\d])",
+    rf"{FRONT}{OF_HALF}(?<!\.m)(?P<open>\.)(?P<close>)(?=[ \t]+[^\W\d])",
     rf"{FRONT}(?:{HOUR}|{OF_HALF}\.?)(?P<open>—|--|[-–](?=[ \t]))(?P<close>)(?=[ \t]*[^\W\d])",
+    rf"{FRONT}{GLUED}(?P<open>[-–])(?P<close>)(?=[^\W\d])",
     rf"{FRONT}[^\W\d][^\n,\d]*(?P<open>,)(?P<close>)(?=[ \t]+{HOUR}(?:$|,|[ \t]+[(\[]))",
     rf"{FRONT}[^\d\n]*(?P<open>[(\[]){HOUR}(?:\s?[-–]\s?{HOUR})?(?P<close>[)\]])",
+    r"(?<=[^\W\d][ \t])(?P<open>\()[ap]\.?m\.?(?P<close>\))",
     r"(?<=[^\W\d])[ \t]?(?P<open>\.{2,})(?P<close>)(?=[ \t]?\d)",
     r"(?P<open>!?\[)[^\]\[\n]+(?P<close>\]\([^()\s]*\))",
     r"(?P<open>\[\[(?:[^\]\[|\n]+\|)?)[^\]\[|\n]+(?P<close>\]\])",
@@ -47,6 +51,13 @@ UNSAID = tuple(re.compile(marks, re.MULTILINE | re.IGNORECASE) for marks in _UNS
 
 Then those of links, of which the words are read and not where they lead, and what is struck out.
 """
+
+BEHIND_STRETCH = re.compile(
+    rf"{FRONT}(?:{HOUR}|(?:2[0-3]|[01]?\d)(?:\s?[ap]m)?)\s?[-–—]+\s?(?:{HOUR}|(?:2[0-3]|[01]?\d)\s?[ap]m)"
+    r"(?P<mark>[?!.]|[ \t]*[-–—]+|[ \t]+(?:/{1,2}|:))(?=[ \t]+[^\W\d])",
+    re.MULTILINE | re.IGNORECASE,
+)
+"""From when to when it is, in front of a line, and a mark before what that is: "9:30 - 10:05 // Hall"."""
 
 MARK = r"(?:[-,:…]|\.{2,})"
 SEVERAL = 2
@@ -104,6 +115,9 @@ def without_bullets(text: str) -> str:
     for marks in UNSAID:
         spans = [found.span(one) for found in marks.finditer(text) for one in ("open", "close") if found[one]]
         text = blanked(text, spans)
+    for found in BEHIND_STRETCH.finditer(text):
+        first, end = found.span("mark")
+        text = text[:first] + ":".ljust(end - first) + text[end:]
     return text
 
 

@@ -27,7 +27,7 @@ DIGITS = r"(?:2[0-3]|[01]\d)[0-5]\d(?!\d|-\d\d-)"
 LEADING = re.compile(
     rf"""
     \s*~?(?:
-      (?P<digits>{DIGITS})(?:\s?[-–]\s?{DIGITS})?(?=:?\s+(?:[-–—]\s+)?[^\W\d])
+      (?P<digits>{DIGITS})(?:\s?[-–]\s?{DIGITS})?(?=[ \t]?:?\s+(?:[-–—]\s+)?[^\W\d])
     | (?:2[0-3]|[01]?\d)(?P<point>\.)[0-5]\d(?![\d.:%°])(?=[:;,?!]*\s*[^\w\s]{{0,2}}\s*\w)
     )""",
     re.VERBOSE,

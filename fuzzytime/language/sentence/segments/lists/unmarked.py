@@ -88,11 +88,14 @@ def _pauses(scanned: Scanned) -> Iterator[tuple[int, str]]:
     if not (surely or known) or any(entry.catches for entry in entries if not leads):
         return
     for before, behind in pairwise(entries):
-        place = words[behind.time.first if leads else before.time.end].start - 1
+        begin = behind.time.first if leads else before.time.end
+        place = words[begin].start - 1
         if not behind.is_joined and scanned.text[place].isspace():
             # No number stands right behind a comma.
-            typed = leads and not words[behind.time.first].is_letters
-            yield place, STOP if typed else ","
+            typed = leads and not words[begin].is_letters
+            # "Feed the cat at 7 p.m. Bob comes at eight"
+            ended = words[begin - 1].text == "." and words[begin].capital
+            yield place, STOP if typed or ended else ","
 
 
 def _behind_having(words: Sequence[Word], lexicon: Lexicon) -> int:

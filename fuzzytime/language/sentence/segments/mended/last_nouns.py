@@ -12,6 +12,7 @@ def with_last_noun(tree: Tree) -> Tree:
 
     Or for a word that says how: "sign the permission slip".
     """
+    tree = _with_last_of_place(tree)
     for thing in tree.children(tree.root, "dobj"):
         place = thing + 1
         if place >= len(tree.nodes) or tree.nodes[thing].tag not in SINGULAR:
@@ -24,6 +25,19 @@ def with_last_noun(tree: Tree) -> Tree:
         named = named.hung((p for p in tree.children(place) if p > place), tree.root)
         named = named.changed(place, tag="NN", relation="dobj", lemma=node.lower)
         return named.changed(thing, relation="compound", head=place)
+    return tree
+
+
+def _with_last_of_place(tree: Tree) -> Tree:
+    """Give "on the plate rack" its last noun, which a tree has beside the one before it, as if joined."""
+    for place in range(1, len(tree.nodes)):
+        node, thing = tree.nodes[place], tree.nodes[place - 1]
+        beside = node.relation == "conj" and node.head in {place - 1, tree.root} and not tree.children(place)
+        alone = thing.relation == "pobj" and thing.tag in SINGULAR and not tree.children(node.head, "cc")
+        if beside and alone and node.tag in NAMES and tree.children(place - 1, "det", "poss"):
+            named = tree.hung((p for p in tree.children(place - 1) if p < place - 1), place)
+            named = named.changed(place, relation="pobj", head=thing.head)
+            return named.changed(place - 1, relation="compound", head=place)
     return tree
 
 

@@ -174,7 +174,7 @@ def _of_prepared(part: Part, phrases: Sequence[Phrase], action: Action) -> list[
     for place, phrase in enumerate(phrases):
         first = next(part.at(phrase.span), None)
         named = first is not None and first > action.place + 1 and nodes[first - 1].tag.startswith("NN")
-        if named and phrase.said.preposition == "for" and phrase.said.constraint is None:
+        if named and phrase.said.preposition == "for" and phrase.said.constraint in {None, Constraint.BEFORE}:
             listed = [phrase, *takewhile(_is_listed, phrases[place + 1 :])]
             others = (other for other in phrases if other not in listed and other.said.preposition != "for")
             return listed if any(_says_when(other) for other in others) else []
