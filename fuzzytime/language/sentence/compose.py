@@ -2,12 +2,10 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from datetime import timedelta
 
 from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers.leftovers import leftovers
 from fuzzytime.language.instruction import Instruction, Operation, Question, Reading, Remark, Span
-from fuzzytime.language.meaning.grounded.chosen_clocks import NOON_TIME
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.joined.first_times import opening_of
 from fuzzytime.language.meaning.required.requirements import Grounded
@@ -27,14 +25,12 @@ from fuzzytime.language.sentence.segments.lists.things_needed import needed
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.language.sentence.sketches.around_events.days_of_events import on_days_of_events
-from fuzzytime.language.sentence.sketches.around_events.prepared import due_of
 from fuzzytime.language.sentence.sketches.meaning.alternatives import offered
 from fuzzytime.language.sentence.sketches.meaning.both_sides import between_sides
 from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.sketches.meaning.negations import awaiting, without_denial
 from fuzzytime.language.sentence.sketches.meaning.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.days.days_apart import follows_night
 from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.days.titles import window_of
 from fuzzytime.language.sentence.together.none_of_it.how_much import uncounted
@@ -44,8 +40,8 @@ from fuzzytime.language.sentence.together.none_of_it.orders_again import denied_
 from fuzzytime.language.sentence.together.none_of_it.unused import unused_front, unused_words
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.times.behind_the_same import behind_the_same
+from fuzzytime.language.sentence.together.times.counted_from import moment_of
 from fuzzytime.language.sentence.together.times.for_all import said_for_all
-from fuzzytime.language.sentence.together.times.pairs import follows_on, leads_to, side_of_night
 from fuzzytime.language.sentence.together.told.lengths import (
     due_when_needed,
     length_of,
@@ -127,7 +123,7 @@ class _Composer:
         operations = [sketch.operation for sketch in sketches]
         instructions = self.made
         for place, sketch in enumerate(sketches):
-            self.moment = self._moment_of(sketches, place, instructions)
+            self.moment = moment_of(self.moment, sketches, place, instructions, self.draft, usual=self.usual)
             instructions.append(self._instruction(sketch, self.first + place, operations))
             self.told.add(self.first + place, instructions[-1], self.draft.now)
         instructions = behind_consequences(instructions, sketches, self.draft.text, self.first)
@@ -151,38 +147,6 @@ class _Composer:
             questions=tuple(dict.fromkeys(self.questions)),
             step=self.draft.step,
         )
-
-    def _moment_of(
-        self, sketches: Sequence[Sketch], place: int, instructions: Sequence[Instruction]
-    ) -> Moment:
-        """Give what the times of a sketch count from, as what stands beside it says."""
-        sketch = sketches[place]
-        then = sketch.part.segment.connective == "then"
-        return replace(
-            self.moment,
-            since=self._settled_behind(sketches, place) or self.moment.since,
-            listed=place > 0 and sketch.part is sketches[place - 1].part,
-            follows=then or follows_night(sketches, place),
-            due=due_of(self.draft.text, sketches[:place], sketch, instructions, self.moment),
-            leads=leads_to(sketches, place, self.draft.text),
-            overnight=side_of_night(sketches, place, self.draft.text),
-            onto=follows_on(sketches, place, self.draft.text) or (then and place > 0),
-            past=sketch.past,
-        )
-
-    def _settled_behind(self, sketches: Sequence[Sketch], place: int) -> float | None:
-        """Give when an order of a morning behind what is told is: "the bus goes at ten, wake me at eight"."""
-        if not self.usual or self.draft.now is None or place + 1 >= len(sketches):
-            return None
-        told, order = sketches[place : place + 2]
-        if not order.asks or told.operation is None or told.asks:
-            return None
-        both = [at_usual_hours(self.moment, one, self.draft.text) for one in (told, order)]
-        if [one.usual for one in both] != [False, True]:
-            return None
-        clock = last_said(ground_all(order.phrases, self.draft.text, both[1]).requirements, NOTHING).clock
-        early = clock and (self.draft.now + timedelta(seconds=clock)).time() < NOON_TIME
-        return clock if early else None
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
         """Point at what no operation and no time holds, where nothing else is said of it."""
