@@ -33,6 +33,7 @@ from fuzzytime.language.sentence.sketches.meaning.usual_hours import at_usual_ho
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.days.titles import window_of
+from fuzzytime.language.sentence.together.moments import moment_of
 from fuzzytime.language.sentence.together.none_of_it.how_much import uncounted
 from fuzzytime.language.sentence.together.none_of_it.named_whole import named_whole
 from fuzzytime.language.sentence.together.none_of_it.naming import naming_none, unknown_moments
@@ -40,7 +41,6 @@ from fuzzytime.language.sentence.together.none_of_it.orders_again import denied_
 from fuzzytime.language.sentence.together.none_of_it.unused import unused_front, unused_words
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.times.behind_the_same import behind_the_same
-from fuzzytime.language.sentence.together.times.counted_from import moment_of
 from fuzzytime.language.sentence.together.times.for_all import said_for_all
 from fuzzytime.language.sentence.together.told.lengths import (
     due_when_needed,

@@ -1,4 +1,4 @@
-"""What the instructions of a text lend each other, in their ``sketches``.
+"""What the instructions of a text lend each other, in their ``sketches``; what times count from: ``moments``.
 
 ``lent``
     Words that one instruction takes over from another.

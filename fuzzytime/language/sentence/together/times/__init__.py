@@ -3,5 +3,5 @@
 Several times: ``several_times``, ``said_again``, ``pairs``, ``at_once``.
 One of several: ``first_offered``, ``choices_of_repetitions``.
 Repeated: ``again_between``, ``first_times``, ``turns``, ``one_by_one``. Said once: ``for_all``.
-Of one thing on another day: ``behind_the_same``. What times count from: ``counted_from``.
+Of one thing on another day: ``behind_the_same``.
 """
