@@ -247,3 +247,12 @@ def test_hours_without_a_mark_may_have_a_colon_apart() -> None:
         ("Morning tea", "10:15"),
         ("Tour", "10:30"),
     ]
+
+
+def test_hours_in_three_digits_are_hours_where_those_of_all_lines_go_up() -> None:
+    morning = ("730 swim", "815 feed the twins", "900 band practice", "10 water the beans", "1145 P/U Lena")
+    told = _told(*morning, "12 lunch", "130 choir", "645 supper", "800 twins to bed")
+    wanted = ["07:30", "08:15", "09:00", "10:00", "11:45", "12:00", "13:30", "18:45", "20:00"]
+    assert [when for _, when in told] == wanted
+    # They count things where they do not.
+    assert not _told("300 bricks", "120 tiles", "450 nails", "200 screws")

@@ -74,6 +74,9 @@ class Cuts(Standing):
                 return True
             if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
                 return True
+            if word.glued and word.text == "/" and last.is_letters and len(last.text) == 1:
+                # "1145 P/U Grace"
+                return True
             if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
                 # "Twenty-year-old", "second-hand"; but "7:00 am-let the dog out"
                 return not (first.is_digits and not piece.start and last.text in self.beside.of_hours)

@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.segments.lists.typed_hours import (
     FURTHER,
     LEADING,
     POINT,
+    THREE,
     hours_behind,
 )
 
@@ -126,6 +127,10 @@ def _in_front(text: str, lexicon: Lexicon, timed: Timed) -> Iterator[int]:
                 yield from (line.start() + point.start() for point in points)
             elif timed >= Timed.LEAD:
                 yield line.start() + found.start("digits") - 1
+        three = THREE.match(line[0]) if timed is Timed.IN_ORDER else None
+        if three is not None:
+            yield line.start() + three.start("digits") - 1
+            continue
         alone = ALONE.match(line[0]) if timed >= Timed.MOST else None
         behind = [] if alone is None else words_of(line[0][alone.end() :])
         ordered = timed is Timed.IN_ORDER and not _is_amount(behind[:1], lexicon)

@@ -10,7 +10,13 @@ from fuzzytime.language.grammar.timetables import MINUTES, has_time
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.sentence.segments.lists.dividers import LINE
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import Timed
-from fuzzytime.language.sentence.segments.lists.typed_hours import ALONE, DECIMAL, LEADING, hours_behind
+from fuzzytime.language.sentence.segments.lists.typed_hours import (
+    ALONE,
+    DECIMAL,
+    LEADING,
+    THREE,
+    hours_behind,
+)
 
 SURELY = 2
 """Lines with a time that is surely one, beside which others are a list of times."""
@@ -35,6 +41,13 @@ CALENDAR = ("weekday", "day", "part", "meal", "month")
 
 HALF_DAY = 12
 """Hours that numbers spelled out may be: "at half eight"."""
+
+LONG_LIST = 8
+WAKING = 18
+"""Hours of a day that so many lines may go through."""
+
+HUNDRED = 100
+"""Behind it, the hours of a number that is typed without a mark: 430."""
 
 FEW_ODD = 4
 """Of so many numbers with two digits behind their points, one may have others."""
@@ -120,7 +133,8 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
     halves = hours_behind(lexicon.beside.of_hours)
     behind, fronts = [[*halves.finditer(line)] for line in lines], [LEADING.match(line) for line in lines]
     firsts = [_surely(line.strip(), lexicon) for line in lines]
-    if sum(front is not None for front in fronts) >= SURELY and _go_up(lines):
+    leads = sum((front or THREE.match(line)) is not None for front, line in zip(fronts, lines, strict=True))
+    if leads >= SURELY and _go_up(lines):
         return Timed.IN_ORDER
     decimals = [int(found[1]) for line in lines for found in DECIMAL.finditer(line)]
     typed = [_is_typed(*found) for found in zip(fronts, behind, strict=True)]
@@ -154,17 +168,18 @@ def how_timed(texts: Sequence[str], lexicon: Lexicon) -> Timed:
 
 
 def _go_up(lines: Sequence[str]) -> bool:
-    """Whether the numbers in front of lines go up through one day: 7, 7.30, 8, 10, 12, 2.30.
+    """Whether the numbers in front of lines go up through one day: 7, 7.30, 8, 10, 12, 2.30; or 430, 500, 12.
 
     One alone may count: "9.15 open", "10.30 tea", "12 eggs", "4.30 lock".
     """
-    found = [LEADING.match(line) or ALONE.match(line) for line in lines]
-    alone = sum(ALONE.match(line) is not None for line in lines)
-    hours = [int(re.findall(r"\d+", one[0])[0]) % HALF_DAY for one in found if one is not None]
+    found = [LEADING.match(line) or THREE.match(line) or ALONE.match(line) for line in lines]
+    alone = sum((ALONE.match(line) or THREE.match(line)) is not None for line in lines)
+    numbers = [int(re.findall(r"\d+", one[0])[0]) for one in found if one is not None]
+    hours = [(number if number < HUNDRED else number // HUNDRED) % HALF_DAY for number in numbers]
     steps = [(second - first) % HALF_DAY for first, second in pairwise(hours)]
     return (
         alone >= MOST
         and len(hours) >= IN_A_ROW
         and MOST * len(hours) >= len(lines)
-        and sum(steps) <= HALF_DAY
+        and sum(steps) <= (HALF_DAY if len(hours) < LONG_LIST else WAKING)
     )

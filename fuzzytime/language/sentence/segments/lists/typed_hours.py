@@ -34,6 +34,9 @@ LEADING = re.compile(
 )
 """An hour and its minutes in front of a line, or two without marks from when to when."""
 
+THREE = re.compile(r"\s*(?P<digits>[1-9][0-5]\d)(?=[ \t]?:?\s+(?:[-–—]\s+)?[^\W\d])")
+"""An hour and its minutes in front of a line in three digits, where those of all lines go up: "430 run"."""
+
 
 FURTHER = re.compile(r"(?:(?:,\s|\s?/\s?|\s(?:and|&|\+)\s)(?:2[0-3]|[01]?\d)\.[0-5]\d(?![\d.]))+")
 """Further such hours behind it: "2.15 & 3.15 tours"."""
