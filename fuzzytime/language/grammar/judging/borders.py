@@ -32,6 +32,10 @@ CONDITION = "if_it_is."
 """How names of the rules begin of conditions that the calendar decides."""
 
 
+COMING = "coming"
+"""What says which of several days is meant, and what somebody is doing then."""
+
+
 class Borders(Around):
     """The words around readings: marks that run on, exceptions, comparisons, nouns."""
 
@@ -85,8 +89,13 @@ class Borders(Around):
         )
 
     def _is_state(self, piece: Piece) -> bool:
-        """Whether its first word is what a thing is then, and no preposition: "heating on | 6 am"."""
+        """Whether its first word is what something is then, or does: "lamp on 6 am", "Bo's coming friday"."""
         wall, first = piece.value.wall, piece.start
+        before = self.around.before(piece)
+        if self.texts[first] == COMING and (
+            before in self.closed.present_be or before.endswith(("'s", "’s"))
+        ):
+            return piece.end - first > 1
         if self.texts[first] != "on" or first == 0 or piece.end - first == 1:
             return False
         clock = wall.clock is not None and wall.days is None and wall.part is None

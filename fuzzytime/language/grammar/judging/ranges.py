@@ -11,6 +11,9 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repe
 EARLY = 3600
 """Seconds before the hour of a meal within which it may begin: a stretch until it is longer."""
 
+TIMES = frozenset({"x", "×"})
+"""What stands between how many there are and what they are: "2 x aspirin"."""
+
 HOURS_OF_DAY = frozenset({"ranges.hours_of_day", "ranges.hours_of_date"})
 """The rules of two numbers behind a day: "on friday 9-5"."""
 
@@ -86,9 +89,11 @@ class Ranges(Standing):
         return "-" in self.texts[piece.start : piece.end] and named.isdisjoint(self.lexicon.called_by_number)
 
     def _is_before_length(self, piece: Piece, time: Range) -> bool:
-        """Whether its last number counts a unit, behind a dash: "lunch 12:15 - 20 mins"."""
+        """Whether its last number counts a unit, or things, behind a dash: "lunch 12:15 - 20 mins"."""
         dash = self.texts[piece.end - 2] == "-" and self.measures.is_number(piece.end - 1)
-        return dash and not wall_of(time.first).bare and self.around.is_unit(piece.end)
+        # "8am - 2 x aspirin"
+        counts = self.around.is_unit(piece.end) or self.around.follower(piece) in TIMES
+        return dash and not wall_of(time.first).bare and counts
 
     def _is_meal_until(self, piece: Piece, time: Range) -> bool:
         """Whether a meal is served until then: "serve lunch until three", not "tomorrow lunch to two"."""

@@ -134,6 +134,13 @@ def _with_another_thing(
     if before.stated and before.complement is not None and sketch.phrases and opened and not alike:
         # "Mum takes her drops at seven, the tablets at noon"; but "Tom cleans up tonight, the kids tomorrow"
         return replace(before, complement=rest.removesuffix(" again"))
+    if before.stated and before.complement is not None and sketch.phrases and not opened:
+        # "She has toast at seven and soup at noon"; but "Ann has maths at ten and Bob at eleven"
+        known = sketch.lexicon.closed.personal_pronouns | openers | sketch.lexicon.people
+        whose = old.partition(" ")[0].lower() in known or old[:1].isupper()
+        bare = before.complement.partition(" ")[0].lower() not in openers
+        if whose and bare and first[:1].islower() and rest.lower() not in people | sketch.lexicon.people:
+            return replace(before, complement=rest.removesuffix(" again"))
     # "Interview with Priya at ten, then with Dominic at eleven"
     head, joint, _ = old.partition(f" {first} ")
     joint = "" if opened else joint
