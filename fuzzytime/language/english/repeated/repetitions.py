@@ -197,9 +197,9 @@ def twice() -> int:
 
 
 @grammar.rule("few", "<integer>")
-@grammar.rule("times", "<integer> times|x")
+@grammar.rule("times", "<integer> times|x", "x <integer>")
 def times(number: Integer) -> int | None:
-    """Three times, 3x; two (a day), but "two every night" is a clock time."""
+    """Three times, 3x, x3; two (a day), but "two every night" is a clock time."""
     return number.value if 0 < number.value <= 1000 else None
 
 

@@ -9,16 +9,18 @@ from dataclasses import replace
 from datetime import timedelta
 
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Phrase, Wall
-from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.meaning.expressions import Phrase, Wall, wall_of
+from fuzzytime.language.sentence.segments.drafts import Draft, Heading
 from fuzzytime.language.sentence.together.days.titles import (
     APART,
     LONGEST,
     begins_order,
     clocks_in,
+    held,
     is_of_calendar,
     names_day,
 )
+from fuzzytime.requirement import Unit
 
 DAY_FIRST = re.compile(r"(?<![\d/])(?:1[3-9]|2\d|3[01])/(?:0?[1-9]|1[0-2])(?![\d/])")
 """A date that begins with the day, as no month is so high."""
@@ -83,6 +85,35 @@ def heads_lines(drafts: Sequence[Draft], place: int) -> bool:
     behind = words[day.end : day.end + 1]
     apart = day.first == 0 and all(word.text in APART for word in behind) and len(words) - day.end <= LONGEST
     return apart and _has_hours(drafts, place) and not begins_order(draft)
+
+
+def days_gone_on_with(drafts: Sequence[Draft]) -> list[Heading | None]:
+    """Give for each line with an hour and no day the day that the line before it begins with.
+
+    So it is where two lines at least begin with their days: "Sat - castle at ten", "boat 2.30", "Sun - home".
+    """
+    begun = [_day_in_front(draft) for draft in drafts]
+    several = len({wall_of(day.said.time).days for day in begun if day is not None}) > 1
+    found: list[Heading | None] = []
+    heading: Heading | None = None
+    for place, (draft, day) in enumerate(zip(drafts, begun, strict=True)):
+        if place and draft.now != drafts[place - 1].now:
+            heading = None
+        if day is not None:
+            name = draft.text[slice(*day.span)]
+            heading = Heading(name, draft.text, draft.scanned, held(draft, (day,)))
+        timed = clocks_in(draft) and not any(map(names_day, draft.phrases))
+        found.append(heading if several and timed else None)
+    return found
+
+
+def _day_in_front(draft: Draft) -> Phrase | None:
+    """Give the day that a line begins with, and not every such day, without its hour."""
+    first = next((phrase for phrase in draft.phrases if phrase.first == 0), None)
+    wall = None if first is None else first.said.time
+    if first is None or not isinstance(wall, Wall) or wall.days is None or wall.days.grain is not Unit.DAY:
+        return None
+    return first.at(Wall(wall.days)) if first.said.preposition is None else None
 
 
 def _has_hours(drafts: Sequence[Draft], place: int) -> bool:

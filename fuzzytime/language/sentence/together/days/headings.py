@@ -13,7 +13,7 @@ from fuzzytime.language.sentence.segments.drafts import Draft, Heading
 from fuzzytime.language.sentence.segments.lists.heads import is_meal
 from fuzzytime.language.sentence.segments.lists.things_needed import is_marked
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
-from fuzzytime.language.sentence.together.days.dated_lines import heads_lines, with_dates
+from fuzzytime.language.sentence.together.days.dated_lines import days_gone_on_with, heads_lines, with_dates
 from fuzzytime.language.sentence.together.days.periods_above import (
     in_week,
     is_plan_title,
@@ -57,6 +57,7 @@ def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
     ]
     if headings and headings[0] is None:
         headings[0] = title_of(drafts) or (_list_of(drafts[0]) if len(drafts) > 1 else None)
+    gone_on = days_gone_on_with(drafts)
     found: list[Draft] = []
     heading: Heading | None = None
     day: Heading | None = None
@@ -87,7 +88,11 @@ def under_headings(drafts: Sequence[Draft]) -> list[Draft]:
         if named is not None and named.happens:
             found.append(replace(draft, remarks=(*draft.remarks, _remark_on(named, (0, len(draft.text))))))
             continue
-        found.append(replace(draft, heading=heading, leads=named is not None and _holds(headings, place)))
+        found.append(
+            replace(
+                draft, heading=heading or gone_on[place], leads=named is not None and _holds(headings, place)
+            )
+        )
     return found
 
 
