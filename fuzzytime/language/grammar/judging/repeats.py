@@ -42,7 +42,9 @@ class Repeats(Standing):
         return not some and (parted or bound or not self.measures.is_rate(piece))
 
     def _counts_things(self, piece: Piece) -> bool:
-        """Whether ordinals behind "every" count things: "every 10th customer", "tighten every third"."""
+        """Whether its last word counts things: "every 10th customer", "twice a week for two children"."""
+        if self.texts[piece.end - 2 : piece.end - 1] == ["for"] and self.measures.is_number(piece.end - 1):
+            return not self.around.may_end(piece)
         each, last = self.texts[piece.start], self.texts[piece.end - 1]
         spelt = last in self.lexicon.ordinals and piece.end - piece.start == len((each, last))
         typed = last in self.beside.ordinal_endings and not self.around.may_end(piece)

@@ -7,6 +7,8 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, form_of, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.days.relations import Relative
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS
+from fuzzytime.requirement import Unit
 
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
@@ -83,6 +85,11 @@ class LookedUp:
     def is_unit(self, place: int) -> bool:
         """Whether the word at a place is a unit, which a number before it counts."""
         return any(piece.category == "unit" and len(piece.value.form) > 1 for piece in self.pieces(place))
+
+    def is_unit_of_days(self, place: int) -> bool:
+        """Whether the word at a place is a unit of a day or more, which no hour with minutes counts."""
+        units = (piece.value.unit for piece in self.pieces(place) if piece.category == "unit")
+        return any(UNIT_SECONDS[unit] >= UNIT_SECONDS[Unit.DAY] for unit in units)
 
 
 @lru_cache(maxsize=4)

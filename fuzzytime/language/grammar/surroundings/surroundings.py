@@ -145,7 +145,8 @@ class Surroundings(BehindTimes):
             first -= 1
         while end < len(self.words) and self.words[end].capital:
             end += 1
-        if end < piece.end or self.opens(first):
+        if end < piece.end or self.opens(first) or (first > piece.start and self.texts[first - 1] == "-"):
+            # From when to when: "8:30 a.m.-Noon Workshops"
             return False
         led = first < piece.start and self.texts[first] in self.closed.articles
         # "A Tequila Sunrise"; but "on a Tuesday Morning"

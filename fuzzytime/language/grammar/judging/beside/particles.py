@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around
+from fuzzytime.language.meaning.calendar import is_weekday
 from fuzzytime.language.meaning.expressions import Duration, Offset, Wall
 
 ENDS_OF_DAYS = frozenset({"first thing", "last thing"})
@@ -128,6 +129,10 @@ class Particles(Around):
         verb = opens and piece.value.wall.clock is None
         verb = verb or self.texts[behind] in self.beside.behind_round
         noun = self.around.before(piece) in self.closed.noun_openers
+        # "Email the blog post today"; but "post Christmas"
+        days = piece.value.wall.days
+        typed = not dashed and piece.value.wall.clock is None
+        noun = noun or (typed and (is_weekday(days) or self.around.is_day_from_now(behind)))
         return not (apart or verb or noun) and self.around.may_end(piece)
 
     def _counts_from_that(self, piece: Piece) -> bool:

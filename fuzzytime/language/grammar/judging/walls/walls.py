@@ -160,7 +160,9 @@ class Walls(Standing):
         named = "".join(self.texts[piece.end + 1 : piece.end + 2])
         typed = self.texts[piece.end - 2] in {":", "."}
         ordinal = typed and self.texts[piece.end : piece.end + 1] == ["second"] and named.isalpha()
-        other = ordinal or self.measures.is_number(piece.end + 1)
+        # As in "7:30 day trip".
+        trip = self.texts[piece.end - 2] == ":" and self.around.is_unit_of_days(piece.end)
+        other = ordinal or trip or self.measures.is_number(piece.end + 1)
         if self.around.is_unit(piece.end) and not other and (counts or wall.days in PRESENT):
             # "On the quarter hour", "tonight, | 20 min"; but "at 3:30 Year 9 assembly", "8:10 second half"
             return True

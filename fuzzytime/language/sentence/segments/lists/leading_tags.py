@@ -26,6 +26,7 @@ HALF = r"[ \t]?[ap]\.?m\b"
 OF_HALF = rf"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?{HALF}"
 ANY = r"(?:2[0-3]|[01]?\d)(?:[.:][0-5]\d)?"
 GLUED = rf"(?:[^\W\d]+[ ])?(?:{ANY}[ ]?[-–][ ]?)?(?:{HOUR}|{ANY}[ap]m?)"
+THING = r"(?!(?:noon|midnight)\b)[^\W\d]"
 EMPHASIS = r"(?P<open>\*{1,2}|__)(?=[\w([])[^*_\n]*(?<=\S)(?P<close>(?P=open))(?!\w)"
 _UNSAID = (
     rf"{FRONT}(?:\d[\d.:–-]*[ \t]+)?{EMPHASIS}",
@@ -33,8 +34,8 @@ _UNSAID = (
     r"^[ \t]*(?P<open>[-+*•–]|>+)(?=[ \t]+[\w([])(?P<close>[ \t]+\[[ \t]?\](?=[ \t]+\S))?",
     rf"{FRONT}{HOUR}(?P<open>[?!,;:]|[ \t]+[=:])(?P<close>)(?=[ \t]|[^\W\d])",
     rf"{FRONT}{OF_HALF}(?<!\.m)(?P<open>\.)(?P<close>)(?=[ \t]+[^\W\d])",
-    rf"{FRONT}(?:{HOUR}|{OF_HALF}\.?)(?P<open>—|--|[-–](?=[ \t]))(?P<close>)(?=[ \t]*[^\W\d])",
-    rf"{FRONT}{GLUED}(?P<open>[-–])(?P<close>)(?=[^\W\d])",
+    rf"{FRONT}(?:{HOUR}|{OF_HALF}\.?)(?P<open>—|--|[-–](?=[ \t]))(?P<close>)(?=[ \t]*{THING})",
+    rf"{FRONT}{GLUED}(?P<open>[-–])(?P<close>)(?={THING})",
     rf"{FRONT}[^\W\d][^\n,\d]*(?P<open>,)(?P<close>)(?=[ \t]+{HOUR}(?:$|,|[ \t]+[(\[]))",
     rf"{FRONT}[^\d\n]*(?P<open>[(\[]){HOUR}(?:\s?[-–]\s?{HOUR})?(?P<close>[)\]])",
     r"(?<=[^\W\d][ \t])(?P<open>\()[ap]\.?m\.?(?P<close>\))",
@@ -58,6 +59,11 @@ BEHIND_STRETCH = re.compile(
     re.MULTILINE | re.IGNORECASE,
 )
 """From when to when it is, in front of a line, and a mark before what that is: "9:30 - 10:05 // Hall"."""
+
+TWO_DASHES = re.compile(
+    rf"{FRONT}(?:{HOUR}|{OF_HALF}\.?)[ \t]+(?P<mark>--)(?=[ \t]+{THING})", re.MULTILINE | re.IGNORECASE
+)
+"""An hour in front of a line and two dashes, which are as one: "8:00 -- Breakfast"."""
 
 MARK = r"(?:[-,:…]|\.{2,})"
 SEVERAL = 2
@@ -118,7 +124,7 @@ def without_bullets(text: str) -> str:
     for found in BEHIND_STRETCH.finditer(text):
         first, end = found.span("mark")
         text = text[:first] + ":".ljust(end - first) + text[end:]
-    return text
+    return TWO_DASHES.sub(lambda found: found[0].removesuffix("--") + "- ", text)
 
 
 def with_joints(text: str, lexicon: Lexicon) -> str:
