@@ -72,7 +72,8 @@ def time_of(
         return None if target is None else Anchor(text=text, object=operation.object, target=target)
     if any(part.constraint not in DONE or not _may_bound(part) for part in requirements):
         return None
-    words = text.lower().split()
+    # As in "friday: clean the oven".
+    words = (text.removeprefix(requirements[0].text).lstrip(" :,–-") or text).lower().split()
     obliged = " ".join(words[:2]) in anchors.lexicon.beside.obliged
     if words[0] == operation.verb and not obliged:
         # "Empty the bins by six" asks for it.
