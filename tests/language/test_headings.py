@@ -322,7 +322,9 @@ def test_what_counts_from_an_event_itself_takes_no_distance_from_above() -> None
 
 
 def test_an_hour_goes_on_with_the_day_that_a_line_above_begins_with() -> None:
-    walk, boat, home, tea = _times("Sat - castle at ten", "boat trip 2.30", "Sun 11am: drive home", "tea at 5")
+    walk, boat, home, tea = _times(
+        "Sat - castle at ten", "boat trip 2.30", "Sun 11am: drive home", "tea at 5"
+    )
     assert [max(time.earliest or 0 for time in several) for several in (walk, boat, home, tea)] == [
         3 * DAY + 3600,
         3 * DAY + 5.5 * 3600,

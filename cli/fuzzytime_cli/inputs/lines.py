@@ -61,8 +61,8 @@ CELLS = re.compile(r"\s*\|\s*|\s*\t\s*")
 RULE = re.compile(r"[|\s]*:?-{2,}[-:|\s]*\|[-:|\s]*")
 """The row of a table below its heads."""
 
-NUMBER = re.compile(r"\d[\d.:\s–-]*[^\W\d]{,2}")
-"""A cell that is an hour: "9.15 - 10", "8pm"."""
+NUMBER = re.compile(r"\d[\d.:\s–-]*[^\W\d]{,2}(?:\s?[–—-]\s?\d[\d.:]*[^\W\d]{,2})?")
+"""A cell that is an hour: "9.15 - 10", "8pm", "8am – 6pm"."""
 
 _TIME = r"\d{1,2}(?:[:.]\d\d)?(?:\s?[ap]\.?m\.?)?"
 HOUR = re.compile(rf"(?=.*(?:[:.]\d|m)){_TIME}(?P<until>\s?[–—-]\s?{_TIME})?", re.IGNORECASE)

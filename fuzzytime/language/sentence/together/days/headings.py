@@ -23,6 +23,7 @@ from fuzzytime.language.sentence.together.days.periods_above import (
     with_plan,
 )
 from fuzzytime.language.sentence.together.days.titles import (
+    AHEAD,
     LONGEST,
     begins_order,
     clocks_in,
@@ -33,9 +34,6 @@ from fuzzytime.language.sentence.together.days.titles import (
     names_day,
     title_of,
 )
-
-AHEAD = frozenset({"before", "after"})
-"""What stands behind the length of a distance that heads lines."""
 
 DISTANCE = 4
 """Words of such a length at most: "three to four weeks"."""
