@@ -125,6 +125,12 @@ def test_what_is_asked_for_later_keeps_its_time() -> None:
     assert notes(made) == ["call mum is asked for later than 'by noon', and keeps its time"]
 
 
+def test_what_begins_with_its_day_is_asked_for_and_no_news() -> None:
+    made = told(["Monday: vacuum their own rooms", "Wednesday: clean my own bathroom"])
+    assert [one.skill.name for one in made.skills] == ["vacuum their own rooms", "clean my own bathroom"]
+    assert not notes(made)
+
+
 def test_everything_may_be_done_before_something_happens() -> None:
     lines = ["wash the car", "The shift ends at 2 pm; all of it must be done before that"]
     (wash, _) = told(lines).skills

@@ -68,6 +68,13 @@ def test_an_order_for_a_day_heads_no_hours(title: str) -> None:
     assert _times(title, *hours)[1][0].earliest == 3600
 
 
+@pytest.mark.parametrize("line", ["Shower, pack the night before", "Oil the bike, pack Saturday."])
+def test_what_is_asked_for_before_a_day_or_in_a_sentence_heads_no_hours(line: str) -> None:
+    hours = ("train at 10", "tea at 11.30", "castle at 1", "boat at 3 pm", "supper at 7 pm")
+    *_, train, _, _, _, _ = _times(line, *hours)
+    assert train[0].earliest == 3600
+
+
 def test_what_a_day_above_holds_for_is_said() -> None:
     heading, _ = Language.shipped().read_all([("Friday", NOW), ("mow the lawn", NOW)])
     assert [remark.kind for remark in heading.remarks] == [RemarkKind.POLICY]

@@ -110,6 +110,7 @@ def test_a_comment_may_stand_behind_an_instruction() -> None:
         ("| 11 | Keynote | 45 min | Hall A |", "11 Keynote (45 min) (Hall A)"),
         ("10.30\tMeet the guide\tMr Lee", "10.30 Meet the guide (Mr Lee)"),
         ("9.45 | Line check", "9.45 Line check"),
+        ("8am – 6pm | Load in | Dock 2", "8am – 6pm Load in (Dock 2)"),
     ],
 )
 def test_a_row_of_a_table_is_a_line(row: str, line: str) -> None:

@@ -4,10 +4,11 @@ They are no instructions, and what stands around them is read as if they were no
 they are taken for what is to be done.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.orders_beside_times import asks_for_deed
@@ -23,7 +24,7 @@ LONGEST = 4
 def notes_of(scanned: Scanned) -> Iterator[Span]:
     """Give the stretches that are noted behind what is named: brackets, and what there is not to be.
 
-    The brackets begin with an order, and have no time.
+    The brackets begin with an order, or tell how something is, and have no time.
     """
     yield from _bracketed(scanned)
     words, ends = scanned.words, ENDS | {","}
@@ -57,5 +58,14 @@ def _bracketed(scanned: Scanned) -> Iterator[Span]:
         end = next((p for p in range(place, len(words)) if words[p].text in {")", ";"}), len(words))
         inside = words[place + 1 : end]
         span = (word.start, words[min(end, len(words) - 1)].end)
-        if asks_for_deed(inside, scanned.lexicon) and not any(overlap(one.span, span) for one in phrases):
+        noted = asks_for_deed(inside, scanned.lexicon) or _tells(inside, scanned.lexicon)
+        if noted and not any(overlap(one.span, span) for one in phrases):
             yield span
+
+
+def _tells(inside: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words tell how something is: "that's a lot of towels", "they are filthy"."""
+    closed = lexicon.closed
+    first, *_ = inside[0].text.replace("’", "'").split("'") if inside else ("",)
+    said = [inside[0].text.removeprefix(first), *(word.text for word in inside[1:2])] if inside else []
+    return first in closed.anaphors | closed.third_person and not closed.present_be.isdisjoint(said)
