@@ -139,7 +139,7 @@ def _with_another_thing(
         known = sketch.lexicon.closed.personal_pronouns | openers | sketch.lexicon.people
         whose = old.partition(" ")[0].lower() in known or old[:1].isupper()
         bare = before.complement.partition(" ")[0].lower() not in openers
-        if whose and bare and first[:1].islower() and rest.lower() not in people | sketch.lexicon.people:
+        if whose and bare and not first[:1].isupper() and rest.lower() not in people | sketch.lexicon.people:
             return replace(before, complement=rest.removesuffix(" again"))
     # "Interview with Priya at ten, then with Dominic at eleven"
     head, joint, _ = old.partition(f" {first} ")
