@@ -112,8 +112,13 @@ class Figures(Standing):
         return sides and any(map(self.around.opens, verbs))
 
     def _counts_units(self, piece: Piece) -> bool:
-        """Whether it is the first of two numbers of one measure: "at 4 and 8 inches"."""
+        """Whether it is the first of two numbers of one measure: "at 4 and 8 inches".
+
+        What has a measure of its own is at an hour: "5 ml at 8 and 10 ml at 4".
+        """
         joint, second = piece.end, piece.end + 1
+        if self.around.before(piece) in self.lexicon.no_times.measured_in:
+            return False
         if not self.measures.is_number(joint - 1) or self.texts[joint : joint + 1] not in (["and"], ["or"]):
             return False
         units = self.texts[second + 1 : second + 2]
