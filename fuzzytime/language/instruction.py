@@ -183,6 +183,10 @@ class RemarkKind(StrEnum):
     TOLD = "told beside what is asked for"
 
 
+NOT_USED = "is not used"
+"""What is said of words that no name and no time holds."""
+
+
 @dataclass(frozen=True, slots=True)
 class Remark:
     """Words that need saying something about: which, why, and in a sentence."""

@@ -91,6 +91,13 @@ def joins(words: Sequence[Word], place: int) -> bool:
     )
 
 
+def is_minute(words: Sequence[Word], place: int) -> bool:
+    """Whether the number at a place is the minute of an hour: the "15" of "train 7:15"."""
+    first, mark = words[place], words[place - 1]
+    typed = place > 1 and first.glued and mark.glued and mark.text == ":"
+    return typed and first.is_digits and words[place - 2].is_digits
+
+
 def _levelled(raw: str) -> str:
     if raw.isascii():
         return _SHORT.get(raw.lower(), raw.lower())

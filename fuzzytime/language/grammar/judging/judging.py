@@ -180,7 +180,7 @@ class Judge(Around):
             return True
         # "A week before, a day before and an hour before the exam"
         joined = joined or (follower in self.closed.additions and self._is_distance_at(piece.end + 1))
-        ends = joined or follower in {"", ".", "!", ";"}
+        ends = joined or follower in STOPS
         return piece.start > 0 and not looks and apart and ends
 
     def _is_distance_at(self, start: int) -> bool:

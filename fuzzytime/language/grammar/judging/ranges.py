@@ -118,7 +118,8 @@ class Ranges(Standing):
         if not isinstance(time, Range):
             dated = isinstance(time, Wall) and time.days is not None and time.part is not None
             return dated and self.texts[piece.start] == "@" and "-" in self.texts[piece.start : piece.end]
-        dash = next((p for p in range(piece.start, piece.end) if self.texts[p] == "-"), None)
+        # The last of two: "8:00 -- Breakfast"
+        dash = next((p for p in range(piece.end - 1, piece.start, -1) if self.texts[p] == "-"), None)
         if dash is None or self.words[dash + 1].glued or not self.around.opens(piece.start):
             return False
         first, last = time.first, time.last

@@ -3,7 +3,7 @@
 from fuzzytime.english import looks_plural
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
-from fuzzytime.language.grammar.words import joins
+from fuzzytime.language.grammar.words import is_minute, joins
 from fuzzytime.language.meaning.expressions import Duration, TimeWord, Wall
 from fuzzytime.language.meaning.times_of_day import Half
 
@@ -97,9 +97,9 @@ class Cuts(Standing):
         first = self.words[piece.start]
         if piece.start and first.glued and first.is_digits:
             # The "15 on monday" of "train 7:15 on monday"
-            before = self.words[piece.start - 1]
-            if before.text == ":" and before.glued and self.words[piece.start - 2].is_digits:
+            if is_minute(self.words, piece.start):
                 return True
+            before = self.words[piece.start - 1]
             if before.text == "/" and self.texts[piece.start - 2] in self.lexicon.beside.of_hours:
                 # "Feed the cat 7am/7pm"
                 return False

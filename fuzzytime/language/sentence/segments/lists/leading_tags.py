@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, Span, blanked
+from fuzzytime.language.instruction import NOT_USED, Remark, Span, blanked
 from fuzzytime.language.sentence.trees.tree import Trees
 
 TAGS = re.compile(r"(?:\s+[#^][^\W\d][\w/-]*)+[ \t]*$", re.MULTILINE)
@@ -59,11 +59,6 @@ BEHIND_STRETCH = re.compile(
     re.MULTILINE | re.IGNORECASE,
 )
 """From when to when it is, in front of a line, and a mark before what that is: "9:30 - 10:05 // Hall"."""
-
-TWO_DASHES = re.compile(
-    rf"{FRONT}(?:{HOUR}|{OF_HALF}\.?)[ \t]+(?P<mark>--)(?=[ \t]+{THING})", re.MULTILINE | re.IGNORECASE
-)
-"""An hour in front of a line and two dashes, which are as one: "8:00 -- Breakfast"."""
 
 MARK = r"(?:[-,:…]|\.{2,})"
 SEVERAL = 2
@@ -124,7 +119,7 @@ def without_bullets(text: str) -> str:
     for found in BEHIND_STRETCH.finditer(text):
         first, end = found.span("mark")
         text = text[:first] + ":".ljust(end - first) + text[end:]
-    return TWO_DASHES.sub(lambda found: found[0].removesuffix("--") + "- ", text)
+    return text
 
 
 def with_joints(text: str, lexicon: Lexicon) -> str:
@@ -171,4 +166,4 @@ def _unmarked(labels: frozenset[str], musing: frozenset[str]) -> re.Pattern[str]
 def remarks_of_tags(text: str, tags: Sequence[Span]) -> Iterator[Remark]:
     """Say that they are not used."""
     for span in tags:
-        yield Remark.noted(text, span, "is not used")
+        yield Remark.noted(text, span, NOT_USED)

@@ -1,6 +1,7 @@
 """Asides that say by when something is needed, or that somebody cannot do it before: "it's needed by six"."""
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
@@ -68,7 +69,7 @@ def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
     told = lexicon.asides
     if not told["needing"].isdisjoint(said[-2:-1]) and said[-1] in lexicon.closed.anaphors:
         return True
-    *helping, so = _of_it(said, lexicon) or [""]
+    *helping, so = said_of(said, lexicon.closed.anaphors) or [""]
     if not helping:
         return False
     if so in told["needed"] | told["due"]:
@@ -79,24 +80,24 @@ def _is_needed(said: Sequence[str], lexicon: Lexicon) -> bool:
 
 def _is_for_it(said: Sequence[str], phrase: Phrase, lexicon: Lexicon) -> bool:
     """Whether words say when "it" is for: "buy a cake, it's for friday"."""
-    helping = _of_it(said, lexicon)
+    helping = said_of(said, lexicon.closed.anaphors)
     is_so = bool(helping) and lexicon.asides["being needed"].issuperset(helping)
     return phrase.said.preposition == "for" and is_so
 
 
 def _is_ready(said: Sequence[str], order: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words say from when on there is what is fetched: "pick up the cake, it's ready from three"."""
-    *helping, so = _of_it(said, lexicon) or [""]
+    *helping, so = said_of(said, lexicon.closed.anaphors) or [""]
     being = lexicon.asides["being needed"] | lexicon.asides["helping"]
     fetched = not lexicon.doing.meeting.isdisjoint(word.text for word in order)
     there = bool(helping) and so in lexicon.asides["being there"]
     return fetched and there and being.issuperset(helping)
 
 
-def _of_it(said: Sequence[str], lexicon: Lexicon) -> list[str]:
-    """Give what is said of "it", or "them", as an apostrophe cuts it: "it's due", "they aren't needed"."""
+def said_of(said: Sequence[str], things: AbstractSet[str]) -> list[str]:
+    """Give what is said of one of ``things``, as an apostrophe cuts it: "it's due", "they aren't due"."""
     thing, *words = [part for word in said for part in word.split(APOSTROPHE)] or [""]
-    return words if thing in lexicon.closed.anaphors else []
+    return words if thing in things else []
 
 
 def _is_later(said: Sequence[str], lexicon: Lexicon) -> bool:

@@ -13,6 +13,7 @@ from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.orders_beside_times import asks_for_deed
 from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.segments.told.asides_of_needs import said_of
 
 NO = "no"
 """What begins a note of what there is not to be."""
@@ -66,6 +67,5 @@ def _bracketed(scanned: Scanned) -> Iterator[Span]:
 def _tells(inside: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words tell how something is: "that's a lot of towels", "they are filthy"."""
     closed = lexicon.closed
-    first, *_ = inside[0].text.replace("’", "'").split("'") if inside else ("",)
-    said = [inside[0].text.removeprefix(first), *(word.text for word in inside[1:2])] if inside else []
-    return first in closed.anaphors | closed.third_person and not closed.present_be.isdisjoint(said)
+    said = said_of([word.text for word in inside[:2]], closed.anaphors | closed.third_person)
+    return not lexicon.asides["being needed"].isdisjoint(said[:1])

@@ -9,6 +9,7 @@ from fuzzytime.english import singular
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings.looked_up import TIMELY
+from fuzzytime.language.grammar.words import is_minute
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Phrase, Said
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.requirement import Constraint, Unit
@@ -57,7 +58,7 @@ class _Telling:
 
     def aside(self, piece: Piece) -> Aside | None:
         words, texts = self.scanned.words, self.texts
-        if not isinstance(piece.value, Duration) or self._is_minute(piece.start):
+        if not isinstance(piece.value, Duration) or is_minute(words, piece.start):
             return None
         around = MARKS | self.told["joints"]
         start = piece.start
@@ -86,12 +87,6 @@ class _Telling:
             way=way,
             left=goes_on or self._leaves(before, texts[start - 1] if start else "", piece.value),
         )
-
-    def _is_minute(self, place: int) -> bool:
-        """Whether a number is the minute of an hour: "7:30 night walk"."""
-        first, mark = self.scanned.words[place], self.scanned.words[place - 1]
-        typed = place > 1 and first.glued and mark.glued and mark.text == ":"
-        return typed and first.is_digits and self.scanned.words[place - 2].is_digits
 
     def _leaves(self, before: Sequence[str], joint: str, length: Duration) -> bool:
         """Whether it says how long something is left alone: "paint it and give it an hour", "give it a week".

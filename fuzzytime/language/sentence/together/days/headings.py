@@ -23,7 +23,6 @@ from fuzzytime.language.sentence.together.days.periods_above import (
     with_plan,
 )
 from fuzzytime.language.sentence.together.days.titles import (
-    AHEAD,
     LONGEST,
     begins_order,
     clocks_in,
@@ -223,7 +222,8 @@ def _called(draft: Draft) -> str | None:
 def _counts_back(draft: Draft) -> bool:
     """Whether a line begins with so long before something, or what was said: "two weeks before the move"."""
     texts = [word.text for word in draft.scanned.words]
-    before = next((place for place, text in enumerate(texts) if text in AHEAD), len(texts))
+    sides = draft.lexicon.beside.before_or_after
+    before = next((place for place, text in enumerate(texts) if text in sides), len(texts))
     return 0 < before <= DISTANCE and draft.scanned.around.is_unit(before - 1)
 
 

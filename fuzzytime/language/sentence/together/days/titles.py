@@ -39,9 +39,6 @@ LONGEST = 6
 SEVERAL = "parts"
 """What a part of the day means, and several of it."""
 
-AHEAD = frozenset({"before", "after"})
-"""Words behind a length or a day that count from something else: "the night before"."""
-
 FROM_TO = 2
 """Clock times of a stretch."""
 
@@ -79,7 +76,7 @@ def title_of(drafts: Sequence[Draft]) -> Heading | None:
         time = _whole_day(time)
         named = time.said.is_day and is_of_calendar(time) and _names_day_of(first, time, below)
     said = [word.text for word in first.scanned.words[time.first : time.end]]
-    if not AHEAD.isdisjoint(said) or first.scanned.words[-1].text == ".":
+    if not first.lexicon.beside.before_or_after.isdisjoint(said) or first.scanned.words[-1].text == ".":
         # "Shower, pack the night before."
         return None
     led = {None, "between", *(() if begins_order(first) else ("for", "on"))}

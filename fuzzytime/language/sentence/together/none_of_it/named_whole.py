@@ -8,7 +8,7 @@ import re
 from dataclasses import replace
 
 from fuzzytime.language.grammar.words import words_of
-from fuzzytime.language.instruction import Operation, Reading, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import NOT_USED, Operation, Reading, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.tags import IMPERATIVE
@@ -70,9 +70,10 @@ def _name_of(draft: Draft) -> Span | None:
         return None
     first, end = draft.phrases[0].span
     before, behind = draft.text[:first], draft.text[end:]
-    if before.strip(" \t-–—*•.:([") and behind.strip(" \t-–—.:)]"):
+    ends_line = before.strip(" \t-–—*•.:([") != ""
+    if ends_line and behind.strip(" \t-–—.:)]"):
         return None
-    start, rest = (0, before) if before.strip(" \t-–—*•.:([") else (end, behind)
+    start, rest = (0, before) if ends_line else (end, behind)
     found = NAMED.search(rest)
     if found is None:
         return None
@@ -112,5 +113,5 @@ def _orders(draft: Draft, start: int) -> bool:
 
 def _loses(remark: Remark, name: Span) -> bool:
     """Whether words of a name are not used, or not understood."""
-    lost = remark.kind is RemarkKind.NOT_UNDERSTOOD or remark.message.endswith("is not used")
+    lost = remark.kind is RemarkKind.NOT_UNDERSTOOD or remark.message.endswith(NOT_USED)
     return lost and overlap(remark.span, name)

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, is_quoted, words_of
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import NOT_USED, Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.named import SAID_BY
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
@@ -83,13 +83,13 @@ def unused_words(text: str, part: Part, operation: Operation, heard: Sequence[Sp
     for first in (place for place in left if place - 1 not in left):
         last = next(place for place in left if place >= first and place + 1 not in left)
         span = part.span(part.tree.nodes[first], part.tree.nodes[last])
-        yield Remark.noted(text, span, "is not used")
+        yield Remark.noted(text, span, NOT_USED)
     called = part.segment.addressee
     place = -1 if called is None or operation.addressee else text.find(called)
     span = (place, place + len(called or ""))
     if place >= 0 and not any(character.isdigit() for character in text[slice(*span)]):
         # "Sam, choir at seven": nobody is asked to do what happens.
-        yield Remark.noted(text, span, "is not used")
+        yield Remark.noted(text, span, NOT_USED)
 
 
 def _names(node: Node) -> bool:
