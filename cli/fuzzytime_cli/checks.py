@@ -48,7 +48,7 @@ def _versions() -> Check:
 
 def _model() -> Check:
     from fuzzytime.language import installed_model, model_files
-    from fuzzytime.language.sentence.trees.model import FileState
+    from fuzzytime.language.sentence.trees.model_files import FileState
 
     try:
         package = installed_model()

@@ -7,10 +7,11 @@ from datetime import datetime
 from fuzzytime.context import Context
 from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
+from fuzzytime.interpreter.binding.circles import free_of_circles
 from fuzzytime.interpreter.binding.delays import is_of_what_is_made
 from fuzzytime.interpreter.binding.doers import asking_doers
 from fuzzytime.interpreter.binding.giving_way import giving_way
-from fuzzytime.interpreter.binding.in_order import Rows, free_of_circles, of_places
+from fuzzytime.interpreter.binding.in_order import Rows, of_places
 from fuzzytime.interpreter.binding.leaning import lean_on_each_other
 from fuzzytime.interpreter.binding.led_to import shortly_before
 from fuzzytime.interpreter.binding.opened import of_opened

@@ -4,7 +4,7 @@ import math
 from collections.abc import Container, Sequence
 from dataclasses import replace
 
-from fuzzytime.interpreter.binding.renumbering import renumbered
+from fuzzytime.interpreter.binding.left_out import renumbered
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import too_late

@@ -31,7 +31,8 @@ from fuzzytime.language.sentence.references.hours_on_days import hours_on_a_day
 from fuzzytime.language.sentence.references.meals import names_meal
 from fuzzytime.language.sentence.references.mentions import comes, nouns_of, shares_thing, undoes, verb_forms
 from fuzzytime.language.sentence.trees.content_words import content_words
-from fuzzytime.language.sentence.trees.model import ModelError, installed_model, model_files
+from fuzzytime.language.sentence.trees.model import ModelError, installed_model
+from fuzzytime.language.sentence.trees.model_files import model_files
 from fuzzytime.language.sentence.trees.named import is_several
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 from fuzzytime.language.told_done import perhaps_reported, reported, told_result

@@ -11,8 +11,9 @@ from fuzzytime.documents.nodes import Reader
 from fuzzytime.errors import DocumentError
 from fuzzytime.language import Language, Lexicon, find_times, shipped_lexicon
 from fuzzytime.language.finding import shipped_grammar
+from fuzzytime.language.grammar.lexicon.groups_beside_times import BesideTimes
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
-from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
+from fuzzytime.language.grammar.lexicon.word_groups import ClosedClasses
 from fuzzytime.language.grammar.word_tables import read_lexicon
 from fuzzytime.resources import rules_directory
 

@@ -6,13 +6,8 @@ import pytest
 
 from fuzzytime.language import installed_model, model_files, shipped_lexicon
 from fuzzytime.language.sentence.trees import model
-from fuzzytime.language.sentence.trees.model import (
-    FileState,
-    ModelError,
-    ModelPackage,
-    official_hashes,
-    parsed,
-)
+from fuzzytime.language.sentence.trees.model import ModelError, ModelPackage, parsed
+from fuzzytime.language.sentence.trees.model_files import FileState, official_hashes
 
 pytestmark = pytest.mark.model
 

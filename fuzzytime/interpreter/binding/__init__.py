@@ -6,5 +6,5 @@ What wishes say of each other: ``references``, made to ``ties`` without ``circle
 ``steps``, ``leaning``, ``procedures``, ``same_things``, ``timetables``. In steps, ``delays`` count from the
 one before, ``bounds`` hold for all, ``doers`` are asked, and all is done shortly before the meal that it is
 ``led_to``. Where something cannot be planned: what waits is set ``apart``, and the order of the others is
-kept by ``loosening`` and ``renumbering``.
+kept by ``loosening`` and ``left_out``.
 """

@@ -7,8 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from fuzzytime.interpreter.binding.in_order import without
-from fuzzytime.interpreter.binding.renumbering import renumbered
+from fuzzytime.interpreter.binding.left_out import renumbered, without
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.skills import Precedence

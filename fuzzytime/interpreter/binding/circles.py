@@ -3,6 +3,8 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from fuzzytime.skills import Precedence
+
 
 @dataclass(frozen=True, slots=True)
 class Before:
@@ -38,3 +40,13 @@ class Before:
                 seen.add(following)
                 open_ends.append(following)
         return False
+
+
+def free_of_circles(order: Iterable[Precedence], precedences: Iterable[Precedence]) -> tuple[Precedence, ...]:
+    """Give the order as far as it agrees with what words say, without what they say already."""
+    before = Before.of((entry.first, entry.second) for entry in precedences)
+    return tuple(
+        entry
+        for entry in order
+        if not before.says(entry.first, entry.second) and before.add(entry.first, entry.second)
+    )

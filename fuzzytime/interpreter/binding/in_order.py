@@ -6,11 +6,10 @@ order of a list is looser than one in words: it gives way where it would keep a 
 what follows a step that cannot be done goes on without it.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
-from fuzzytime.interpreter.binding.circles import Before
 from fuzzytime.interpreter.binding.procedures import procedures
 from fuzzytime.interpreter.binding.steps import Row, Step, is_anchored, is_asked
 from fuzzytime.interpreter.interpretation import Interpreted
@@ -215,16 +214,6 @@ class Rows:
         self.row = Row()
 
 
-def free_of_circles(order: Iterable[Precedence], precedences: Iterable[Precedence]) -> tuple[Precedence, ...]:
-    """Give the order as far as it agrees with what words say, without what they say already."""
-    before = Before.of((entry.first, entry.second) for entry in precedences)
-    return tuple(
-        entry
-        for entry in order
-        if not before.says(entry.first, entry.second) and before.add(entry.first, entry.second)
-    )
-
-
 def of_places(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
     """Give the order that words ask for among all: "do the windows first", "make the coffee last".
 
@@ -260,25 +249,6 @@ def without_now(instruction: Instruction) -> Instruction:
 def _says_now(part: TimeRequirement, instruction: Instruction) -> bool:
     first = part.word == NOW and part.span[0] == instruction.span[0]
     return part.preposition is None and (first or part.word in AT_ONCE)
-
-
-def without(order: Iterable[Precedence], gone: int, *, also_before: bool) -> tuple[Precedence, ...]:
-    """Give the order without a step that is not done: what came after it comes after those before it.
-
-    Where ``also_before``, the step itself follows nothing any more.
-    """
-    entries = list(order)
-    before = [entry for entry in entries if entry.second == gone]
-    after = [entry for entry in entries if entry.first == gone]
-    kept = [entry for entry in entries if entry.first != gone and (not also_before or entry.second != gone)]
-    known = {(entry.first, entry.second) for entry in kept}
-    joined = [
-        Precedence(one.first, other.second, one.minimum_lag)
-        for one in before
-        for other in after
-        if (one.first, other.second) not in known
-    ]
-    return (*kept, *joined)
 
 
 def _goes_on_with(first: Instruction, second: Instruction) -> bool:

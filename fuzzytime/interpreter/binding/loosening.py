@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter.binding.apart import asks_for_first
-from fuzzytime.interpreter.binding.in_order import without
+from fuzzytime.interpreter.binding.left_out import without
 from fuzzytime.interpreter.binding.steps import OWN_TIME
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, ProblemKind
 from fuzzytime.interpreter.remarks import problem_of

@@ -6,7 +6,7 @@ How often that is can be told only where it is known when the other is.
 import math
 from collections.abc import Sequence
 
-from fuzzytime.interpreter.binding.renumbering import renumbered
+from fuzzytime.interpreter.binding.left_out import renumbered
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.skills import Precedence
 

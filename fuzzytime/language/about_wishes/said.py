@@ -9,7 +9,7 @@ from functools import cached_property
 from fuzzytime.language.finding import find_times, one_time
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 

@@ -4,9 +4,9 @@ Rules of a grammar build expressions; once it is known when they were said, the 
 leave open.
 
 What was said
-    ``expressions``, of the ``calendar`` (further ``days``, and ``feasts`` by their ``calendars``) and of
-    ``times_of_day``. Two times ``joined`` to one. What is asked of ``phrases``; what names no time is
-    ``ungrounded``.
+    ``expressions``, of ``units``, of the ``calendar`` (further ``days``, and ``feasts`` by their
+    ``calendars``) and of ``times_of_day``. Two times ``joined`` to one. What is asked of ``phrases``; what
+    names no time is ``ungrounded``.
 What it is
     ``instants``, found as ``grounded``, of ``midnights`` the one that is meant; ``recurrences``; what is
     ``required``.

@@ -8,19 +8,8 @@ from enum import StrEnum
 
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.times_of_day import Clock, Part
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
-
-UNIT_SECONDS = {
-    Unit.SECOND: 1.0,
-    Unit.MINUTE: 60.0,
-    Unit.HOUR: 3600.0,
-    Unit.DAY: 86400.0,
-    Unit.WEEK: 7 * 86400.0,
-    Unit.MONTH: 30 * 86400.0,
-    Unit.QUARTER: 90 * 86400.0,
-    Unit.YEAR: 365 * 86400.0,
-}
-"""Seconds in a unit of a duration; a month counts 30 days, a year 365."""
 
 
 class Edge(StrEnum):
@@ -33,24 +22,6 @@ class Edge(StrEnum):
     END = "end"
     LAST = "last"
     DUE = "due"
-
-
-@dataclass(frozen=True, slots=True)
-class Quantity:
-    """How many: a number, and the hedge that it is ("a few"); ``indefinite`` for "a" and "an"."""
-
-    value: float
-    hedges: tuple[str, ...] = ()
-    indefinite: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class UnitWord:
-    """A unit as said, and how many of it the word means (a fortnight: 2 weeks)."""
-
-    unit: Unit
-    count: int
-    form: str
 
 
 @dataclass(frozen=True, slots=True)

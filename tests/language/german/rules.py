@@ -14,13 +14,11 @@ from fuzzytime.language.meaning.expressions import (
     Duration,
     Goal,
     Offset,
-    Quantity,
     Range,
     Repeat,
     Said,
     Time,
     TimeWord,
-    UnitWord,
     Wall,
 )
 from fuzzytime.language.meaning.feasts import Feast
@@ -29,6 +27,7 @@ from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.joined.range_ends import lent
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
+from fuzzytime.language.meaning.units import Quantity, UnitWord
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

@@ -6,8 +6,9 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import SMALLER, Integer, Typed
 from fuzzytime.language.grammar.understood.minutes_of_steps import MARKS
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Quantity, UnitWord
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.units import UNIT_SECONDS, Quantity, UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

@@ -5,7 +5,8 @@ from dataclasses import replace
 from fuzzytime.language.english.amounts.durations import length_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Quantity, UnitWord
+from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.units import UNIT_SECONDS, Quantity, UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

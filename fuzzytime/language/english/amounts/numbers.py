@@ -2,7 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.expressions import Quantity
+from fuzzytime.language.meaning.units import Quantity
 
 grammar = Grammar()
 

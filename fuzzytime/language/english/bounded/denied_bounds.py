@@ -3,7 +3,8 @@
 from fuzzytime.language.english.bounded.bounds import deadline
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.expressions import Edge, Goal, Said, UnitWord
+from fuzzytime.language.meaning.expressions import Edge, Goal, Said
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()

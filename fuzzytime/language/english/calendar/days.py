@@ -14,8 +14,9 @@ from fuzzytime.language.meaning.days.relations import (
     weekday_at,
 )
 from fuzzytime.language.meaning.days.workdays import Workday
-from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Coming, Duration, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.units import Quantity, UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

@@ -17,10 +17,11 @@ from fuzzytime.language.meaning.days.relations import (
     Which,
     days_away,
 )
-from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Said, Wall
 from fuzzytime.language.meaning.feasts import Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.times_of_day import Clock, Part
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

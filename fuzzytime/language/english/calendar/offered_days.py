@@ -6,8 +6,9 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, Which
-from fuzzytime.language.meaning.expressions import Range, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

@@ -4,8 +4,9 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.expressions import Duration, Quantity, Wall
+from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS, NOON, Clock, Half, Part
+from fuzzytime.language.meaning.units import Quantity
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

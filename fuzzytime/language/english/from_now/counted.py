@@ -8,16 +8,9 @@ from fuzzytime.language.english.clock_times.hours_with_h import EARLIEST_WITH_MI
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.expressions import (
-    UNIT_SECONDS,
-    Coming,
-    Duration,
-    Goal,
-    Quantity,
-    Said,
-    UnitWord,
-)
+from fuzzytime.language.meaning.expressions import Coming, Duration, Goal, Said
 from fuzzytime.language.meaning.joined.distances import LATER, UPPER, said_length, said_offset
+from fuzzytime.language.meaning.units import UNIT_SECONDS, Quantity, UnitWord
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

@@ -7,10 +7,11 @@ from fuzzytime.language.english.from_now.how_long import for_another
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.expressions import Duration, Repeat, Said, TimeWord, UnitWord
+from fuzzytime.language.meaning.expressions import Duration, Repeat, Said, TimeWord
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.distances import EARLIER, HALFWAY, LAST, LEFT, far_off, said_offset
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

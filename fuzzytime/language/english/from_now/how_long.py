@@ -5,9 +5,10 @@ from dataclasses import replace
 from fuzzytime.language.english.clock_times.clocks import minutes_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Coming, Duration, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.distances import said_length
+from fuzzytime.language.meaning.units import Quantity, UnitWord
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

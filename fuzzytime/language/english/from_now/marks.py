@@ -6,9 +6,10 @@ from itertools import pairwise
 from fuzzytime.language.english.from_now.counted import in_duration
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Said, UnitWord
+from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Said
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.distances import INTO
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

@@ -5,9 +5,10 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Relative
-from fuzzytime.language.meaning.expressions import Duration, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, WHOLE_DAY, Half, Part
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

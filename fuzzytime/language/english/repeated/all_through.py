@@ -3,7 +3,7 @@
 from fuzzytime.language.english.from_now.how_long import for_the_next_one
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Duration, Repeat, Rest, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Repeat, Rest, Said, Wall
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.joined.throughout import (
     LONGER,
@@ -12,6 +12,7 @@ from fuzzytime.language.meaning.joined.throughout import (
     each_day,
     is_rest_of_days,
 )
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()

@@ -7,8 +7,9 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, is_day_of_month
 from fuzzytime.language.meaning.days.nested import Nth
 from fuzzytime.language.meaning.days.workdays import Workday
-from fuzzytime.language.meaning.expressions import Repeat, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Repeat, Wall
 from fuzzytime.language.meaning.joined.repeats_beside import on_named_days
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

@@ -6,10 +6,11 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.days.nested import Nth
-from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Repeat, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
 
 grammar = Grammar()

@@ -4,9 +4,10 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Cycle, is_weekday
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat, timed_as
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Part
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

@@ -7,7 +7,6 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import (
-    UNIT_SECONDS,
     Duration,
     Edge,
     HourMark,
@@ -16,10 +15,10 @@ from fuzzytime.language.meaning.expressions import (
     Repeat,
     Rest,
     Said,
-    UnitWord,
     Wall,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.units import UNIT_SECONDS, UnitWord
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

@@ -16,7 +16,7 @@ from fuzzytime.language.grammar.leftovers.unknown_hours import unknown_hours
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
-from fuzzytime.language.meaning.expressions import UnitWord
+from fuzzytime.language.meaning.units import UnitWord
 
 TELLING = frozenset(
     {"unit", "day", "weekday", "weekdays", "part", "parts", "day_part", "month", "hh:mm", "hh:mm:ss", "y-m-d"}

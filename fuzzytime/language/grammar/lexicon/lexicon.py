@@ -6,10 +6,11 @@ from typing import Any, NamedTuple
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon.forms import Forms, matched_to
+from fuzzytime.language.grammar.lexicon.groups_beside_times import BesideTimes
 from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.transliteration import Names
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
-from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
+from fuzzytime.language.grammar.lexicon.word_groups import ClosedClasses
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Hours, Policy

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, form_of, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.days.relations import Relative
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.requirement import Unit
 
 TIMELY = frozenset(

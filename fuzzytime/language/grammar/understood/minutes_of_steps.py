@@ -10,8 +10,8 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.understood.lent import DEGREES_DIGITS
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Unit
 
 MARKS = {Unit.SECOND: "″", Unit.MINUTE: "′", Unit.HOUR: "‵"}

@@ -10,11 +10,12 @@ from typing import Any
 
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Forms, Lexicon, form_of
+from fuzzytime.language.grammar.lexicon.groups_beside_times import BesideTimes
 from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.spelling import clipped, misspellings
 from fuzzytime.language.grammar.lexicon.transliteration import Names
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
-from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses
+from fuzzytime.language.grammar.lexicon.word_groups import ClosedClasses
 from fuzzytime.language.grammar.word_tables.days import (
     read_clocks,
     read_days,

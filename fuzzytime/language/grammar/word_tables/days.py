@@ -10,8 +10,9 @@ from fuzzytime.language.grammar.lexicon import Form, Forms, form_of
 from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Row, Tables, numbered
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.days.relations import Relative, Which
-from fuzzytime.language.meaning.expressions import Edge, Ending, UnitWord
+from fuzzytime.language.meaning.expressions import Edge, Ending
 from fuzzytime.language.meaning.times_of_day import Half, Part
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday, Steps
 from fuzzytime.requirement import Unit
 from fuzzytime.times import parse_clock, parse_zone

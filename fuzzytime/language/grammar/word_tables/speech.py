@@ -5,11 +5,13 @@ from typing import Any, TypeVar
 
 from fuzzytime.documents.nodes import Node
 from fuzzytime.language.grammar.lexicon import Entry, Form, Forms, Preposition, form_of
+from fuzzytime.language.grammar.lexicon.groups_beside_times import BesideTimes
 from fuzzytime.language.grammar.lexicon.no_time_groups import NoTimes
 from fuzzytime.language.grammar.lexicon.verb_groups import Doing
-from fuzzytime.language.grammar.lexicon.word_groups import BesideTimes, ClosedClasses, Words
+from fuzzytime.language.grammar.lexicon.word_groups import ClosedClasses, Words
 from fuzzytime.language.grammar.word_tables.tables import CHOICE, Row, Tables
-from fuzzytime.language.meaning.expressions import Edge, Quantity, TimeWord
+from fuzzytime.language.meaning.expressions import Edge, TimeWord
+from fuzzytime.language.meaning.units import Quantity
 from fuzzytime.requirement import Constraint, Side
 from fuzzytime.spelling import suggestion
 

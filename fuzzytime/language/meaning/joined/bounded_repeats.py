@@ -5,7 +5,6 @@ from typing import TypeGuard
 
 from fuzzytime.language.meaning.calendar import Cycle, Fields, is_weekday
 from fuzzytime.language.meaning.expressions import (
-    UNIT_SECONDS,
     Coming,
     Duration,
     Edge,
@@ -25,6 +24,7 @@ from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.joined.first_times import closing_of, first_time, in_the_end, is_release
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Part
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import MOMENTS, Constraint, Unit
 

@@ -3,18 +3,10 @@
 from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Cycle
-from fuzzytime.language.meaning.expressions import (
-    UNIT_SECONDS,
-    HourMark,
-    Offset,
-    Range,
-    Repeat,
-    Said,
-    Time,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import HourMark, Offset, Range, Repeat, Said, Time, Wall
 from fuzzytime.language.meaning.joined.beside import joined
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat, is_of_day
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.requirement import Constraint, Unit
 
 

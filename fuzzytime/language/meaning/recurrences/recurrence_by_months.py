@@ -7,10 +7,11 @@ from datetime import datetime
 from itertools import islice, takewhile
 from typing import TYPE_CHECKING
 
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, shifted
 from fuzzytime.language.meaning.recurrences.recurrence import JUST_BEFORE, MOST, PlainRecurrence
 from fuzzytime.language.meaning.ungrounded import UngroundedError
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.requirement import Unit, Window
 
 if TYPE_CHECKING:

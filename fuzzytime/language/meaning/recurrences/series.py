@@ -7,7 +7,6 @@ from typing import TypeGuard
 
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
-    UNIT_SECONDS,
     Duration,
     HourMark,
     Offset,
@@ -26,6 +25,7 @@ from fuzzytime.language.meaning.recurrences.recurrence_by_months import Recurren
 from fuzzytime.language.meaning.recurrences.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.language.meaning.ungrounded import UngroundedError
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.requirement import Unit
 
 WEEK = 7

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Quantity
+from fuzzytime.language.meaning.units import Quantity
 from fuzzytime.requirement import Comparison, Side
 
 MOST_BEHIND = 6

@@ -40,6 +40,7 @@ from fuzzytime.language.sentence.segments.lists.timed_lines import how_timed, ti
 from fuzzytime.language.sentence.segments.lists.unmarked import with_marks_between
 from fuzzytime.language.sentence.segments.openings import lengths_in_front, openings_inside, without_reminding
 from fuzzytime.language.sentence.segments.rounds import parted
+from fuzzytime.language.sentence.segments.source import Source
 from fuzzytime.language.sentence.segments.steps_apart import steps_apart
 from fuzzytime.language.sentence.segments.taken_back.corrections import corrected
 from fuzzytime.language.sentence.segments.told.asides import Aside, asides_of, beside_each_other
@@ -51,7 +52,7 @@ from fuzzytime.language.sentence.segments.told.notes import notes_of
 from fuzzytime.language.sentence.segments.told.reasons import without_threats
 from fuzzytime.language.sentence.segments.told.told_apart import with_brackets_apart, with_told_apart
 from fuzzytime.language.sentence.segments.told.told_lengths import told_lengths
-from fuzzytime.language.sentence.segments.waiting import Part, Source
+from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tree import Trees
 
 NAMING = "name"

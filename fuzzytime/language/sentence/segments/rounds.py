@@ -20,8 +20,9 @@ from fuzzytime.language.sentence.segments.further.same_doers import done_next
 from fuzzytime.language.sentence.segments.further.told_beside import told_beside
 from fuzzytime.language.sentence.segments.mended.parsing import trees_of, uncapitalised
 from fuzzytime.language.sentence.segments.segment import Segment, segments_of
+from fuzzytime.language.sentence.segments.source import Source
 from fuzzytime.language.sentence.segments.told.reasons import reason_in_front
-from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
+from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tree import Trees
 from fuzzytime.language.sentence.verbs.statements.called import with_clause
 

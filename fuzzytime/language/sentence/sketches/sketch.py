@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Said
-from fuzzytime.language.meaning.phrases import is_at_clock, is_window
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.further.same_doers import are_joints, tells_more
 from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.sketches.happening import happening, moved_to_new_time
 from fuzzytime.language.sentence.sketches.its_times.own_times import own_times
 from fuzzytime.language.sentence.sketches.its_times.referred import referred
 from fuzzytime.language.sentence.sketches.its_times.said_of_time import SaidOfTime, said_of_time
@@ -20,17 +20,6 @@ from fuzzytime.language.sentence.trees.named import topic_of
 from fuzzytime.language.sentence.verbs.meant.actions import Action, action_of, says_how_things_are
 from fuzzytime.language.sentence.verbs.operations.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.operations.operations import Reader
-from fuzzytime.language.sentence.verbs.without_verbs.due_by_then import due_by_then, so_alone
-from fuzzytime.language.sentence.verbs.without_verbs.happenings import (
-    frame_on_day,
-    given_new_time,
-    happening_at,
-    happens,
-    meal_alone,
-    person_there,
-)
-from fuzzytime.language.sentence.verbs.without_verbs.named_alone import put_there
-from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import chores_at, deed_at, named_moment
 from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:
@@ -170,25 +159,16 @@ def sketch_of(draft: Draft, part: Part) -> Sketch:
         phrases=tuple(said.phrases),
         clauses=tuple(said.clauses),
         references=(None,) * len(said.phrases),
-        operation=telling_alone(draft, part) or _happening(draft, part, said.phrases, said.clauses),
+        operation=telling_alone(draft, part) or happening(draft, part, said.phrases, said.clauses),
         remarks=tuple(said.remarks),
     )
-    moved = _given_new_time(part, said.phrases)
+    moved = moved_to_new_time(part, said.phrases)
     if moved is not None:
         return replace(named, operation=moved)
     if named.operation is not None or part.segment.verbless:
         return named
     action = _action_of(part, said, timed=bool(phrases or said.clauses))
     return named if action is None else _asked(draft, part, said, action)
-
-
-def _given_new_time(part: Part, phrases: Sequence[Phrase]) -> Operation | None:
-    """Give what was moved, which happens at its new time: "the dentist has been moved to four"."""
-    if not part.tree.nodes:
-        return None
-    heard = [part.local(phrase.span) for phrase in phrases]
-    found = given_new_time(part.tree, phrases, Reader(part.tree, heard))
-    return None if found is None else found.moved(part.offset)
 
 
 def _action_of(part: Part, said: SaidOfTime, *, timed: bool) -> Action | None:
@@ -231,56 +211,6 @@ def order_of(draft: Draft, part: Part) -> Order | None:
         return Order.FIRST
     first, end = part.segment.span
     return next((order for span, order in draft.orders if first <= span[0] < end), None)
-
-
-def _happening(
-    draft: Draft, part: Part, phrases: Sequence[Phrase], clauses: Sequence[Clause]
-) -> Operation | None:
-    """Give what happens at a time, or after something else, where no verb says what is to be done."""
-    root = part.tree.root
-    if not part.tree.nodes:
-        first, end = part.segment.span
-        meal = meal_alone(draft.text[first:end], phrases, part.lexicon, listed=draft.beside)
-        return None if meal is None else meal.moved(first)
-    timed = phrases or clauses
-    places = [place for phrase in phrases for place in part.at(phrase.span)]
-    lasts = any(isinstance(phrase.said.time, Duration) for phrase in phrases)
-    put = put_there(part.tree, places, lasts=lasts)
-    if put is not None and not part.segment.verbless:
-        return put.moved(part.offset)
-    due = {place for p in phrases for place in part.at(p.span) if p.said.constraint is Constraint.BEFORE}
-    at_once = [p for p in phrases if p.said.preposition == "at" or is_at_clock(p)]
-    moments = {place for p in at_once for place in part.at(p.span)}
-    heard = [*places, *(place for clause in clauses for place in part.at(clause.span))]
-    # "Mum in hospital until friday" is told, "kids in bed by eight" is due.
-    until = all(p.said.preposition == "until" for p in phrases if p.said.constraint is Constraint.BEFORE)
-    clocked = bool(moments) or any(map(is_window, phrases))
-    there = person_there(part.tree, heard, clocked=clocked) if timed and until else None
-    told = frame_on_day(part.tree, places, phrases) or there
-    if told is not None and not part.segment.verbless:
-        return told.moved(part.offset)
-    # "Dog walked this morning" may be news.
-    news = {place for p in phrases for place in part.at(p.span) if p.said.is_day} - due - moments
-    heard_now = [place for place in heard if place not in news]
-    so = due_by_then(part.tree, due, moments, heard_now, listed=draft.listed)
-    if so is not None and not part.segment.verbless:
-        return so.moved(part.offset)
-    if not (timed or part.segment.verbless) and (draft.beside or part.segment.span[0] > 0):
-        so = so_alone(part.tree)
-        return None if so is None else so.moved(part.offset)
-    if part.segment.verbless or not timed:
-        return None
-    named = None if clauses else named_moment(part.tree, phrases, part.offset)
-    if named is not None:
-        return named.moved(part.offset)
-    if not happens(part.tree, phrases):
-        deed = deed_at(part.tree, places, phrases)
-        deed = deed or chores_at(part.tree, heard, phrases, led=bool(clauses))
-        return None if deed is None else deed.moved(part.offset)
-    said = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
-    names = Reader(part.tree, [part.local(span) for span in said])
-    found = happening_at(root, part.tree, phrases, names)
-    return found.moved(part.offset)
 
 
 def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:

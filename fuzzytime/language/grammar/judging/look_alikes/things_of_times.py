@@ -5,7 +5,7 @@ from fuzzytime.language.grammar.judging.look_alikes.proper_names import is_typed
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_converted, is_spoken_of
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
 from fuzzytime.language.meaning.days.relations import Deictic, Relative, Stretch, Which
-from fuzzytime.language.meaning.expressions import UnitWord
+from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Unit
 
 MINUTES = 60

@@ -20,7 +20,8 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import S
 from fuzzytime.language.sentence.segments.borrowed_words.other_places import is_moved_on
 from fuzzytime.language.sentence.segments.borrowed_words.other_things import is_done_elsewhere, is_given_too
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
+from fuzzytime.language.sentence.segments.source import Source
+from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import PAST
 from fuzzytime.language.sentence.trees.tree import Tree
 

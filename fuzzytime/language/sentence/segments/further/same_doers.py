@@ -5,7 +5,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.segments.waiting import Part, Source
+from fuzzytime.language.sentence.segments.source import Source
+from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.statements.called import worker_doing

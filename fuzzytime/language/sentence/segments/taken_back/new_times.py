@@ -4,17 +4,10 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.meaning.expressions import (
-    Duration,
-    HourMark,
-    Offset,
-    Quantity,
-    Repeat,
-    Said,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Duration, HourMark, Offset, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.beside import in_hour_of
 from fuzzytime.language.meaning.times_of_day import Clock, Half
+from fuzzytime.language.meaning.units import Quantity
 from fuzzytime.requirement import MOMENTS
 
 

@@ -10,7 +10,8 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings.looked_up import TIMELY
 from fuzzytime.language.grammar.words import is_minute
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Phrase, Said
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Said
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.language.sentence.segments.told.asides import Aside
 from fuzzytime.requirement import Constraint, Unit
 

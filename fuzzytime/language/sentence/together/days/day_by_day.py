@@ -9,12 +9,13 @@ from fuzzytime.language.grammar.understood.filled import apart
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.calendar import Cycle
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Coming, Duration, Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Coming, Duration, Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.joined.bounded_repeats import bounded_repeat, is_of_day
 from fuzzytime.language.meaning.joined.repeats_beside import narrowed_repeat
 from fuzzytime.language.meaning.joined.throughout import THROUGHOUT, in_part, in_parts_of_each_day
 from fuzzytime.language.meaning.times_of_day import Part
+from fuzzytime.language.meaning.units import UNIT_SECONDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint, Reference, Unit
 
