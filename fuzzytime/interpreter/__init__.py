@@ -5,7 +5,8 @@ way.
 
 Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
-    Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``notes``.
+    Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``,
+    ``notes``, ``identifiers``.
     When they are done: ``offered``, ``joining``, ``bounding``.
     What was said ``in_other_words``; what happens, ``told_anew``; ``turns`` of what is repeated.
     Who, and how far ahead: ``asked``, ``horizon``.

@@ -1,6 +1,5 @@
 """Wishes one after the other, each made into skills by what was said before it."""
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import islice
@@ -12,18 +11,19 @@ from fuzzytime.interpreter.binding.in_order import Rows, without_now
 from fuzzytime.interpreter.binding.meanwhile import beside_what_lasts, going_on_by_itself
 from fuzzytime.interpreter.binding.references import Links
 from fuzzytime.interpreter.binding.steps import is_asked
+from fuzzytime.interpreter.identifiers import Identifiers
 from fuzzytime.interpreter.in_other_words.retold import from_then_on
 from fuzzytime.interpreter.in_other_words.why_nothing import why_nothing
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import MAX_OCCURRENCES, Maker
 from fuzzytime.interpreter.notes import beside_news, by_how_much, ending_with, in_its_hours, too_few
 from fuzzytime.interpreter.remarks import is_spoiled, is_told, problem_of, remarks_of
-from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
+from fuzzytime.interpreter.request import DirectWish, SpokenWish
 from fuzzytime.interpreter.told_anew import asks_beside_another, meant, on_its_day, told_anew
 from fuzzytime.interpreter.turns.behind import Behind, behind_of
 from fuzzytime.interpreter.turns.each_turn import EachTurn, each_turn_of
 from fuzzytime.interpreter.turns.inside import GoingOn, going_on
-from fuzzytime.interpreter.turns.of_each import OfEach, of_each, said_of_each
+from fuzzytime.interpreter.turns.of_each import OfEach, each_of, of_each
 from fuzzytime.language import Instruction, Reading, reported
 from fuzzytime.language.about_wishes import News, NewsKind, news_in
 from fuzzytime.language.instruction import Span, overlap
@@ -45,14 +45,12 @@ class Gathering:
     ahead: list[tuple[SpokenWish, Instruction]] = field(default_factory=list)
     lengths: list[tuple[int, Instruction]] = field(default_factory=list)
     waiting: list[tuple[int, SpokenWish, Reading, Instruction]] = field(default_factory=list)
-    _seen: Counter[str] = field(default_factory=Counter)
-    _taken: set[str] = field(init=False)
-    _happening: bool = False
+    identifiers: Identifiers = field(init=False)
     _begun: int = 0
     _before: list[int] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self._taken = set(self.links.wishes)
+        self.identifiers = Identifiers(set(self.links.wishes))
 
     def direct(self, wish: DirectWish) -> None:
         """Add the skill of a wish without words."""
@@ -61,7 +59,7 @@ class Gathering:
     def news(self, wish: SpokenWish, reading: Reading) -> Told:
         """Take what a wish tells anew of what happens; give of which skills which words told."""
         told: Told = {}
-        if not self._happening:
+        if not any(one.stated for one in self.skills):
             return told
         at = seconds_between(self.maker.request.now, wish.given)
         heard = news_in(wish.text, wish.given, self.maker.lexicon)
@@ -90,7 +88,7 @@ class Gathering:
             return made
         anew = told_anew(made, news, wish, reading, self.maker, at)
         # What was taken to have happened does not move: told anew it is another.
-        return replace(anew, identifier=self._name(wish)) if over and not anew.cancelled else anew
+        return replace(anew, identifier=self.identifiers.of(wish)) if over and not anew.cancelled else anew
 
     def _take_along(self, place: int, before: Interpreted) -> None:
         """Take along what is on a day that counts from what was told anew."""
@@ -118,10 +116,6 @@ class Gathering:
         self._before = said or self._before
         if not listed:
             self.rows.join(reading, about, self.skills, self.maker.lexicon)
-            for _, places in about:
-                self.rows.await_arrival(places, self.skills, self.maker.lexicon)
-                self.rows.resume(places, self.skills, self.maker.lexicon)
-                self.rows.pause(places, self.skills, self.maker.lexicon)
 
     def _take(self, wish: SpokenWish, reading: Reading, instruction: Instruction, *, listed: bool) -> range:
         """Take what an instruction tells or asks for, and give the places of the skills that it is about."""
@@ -141,7 +135,7 @@ class Gathering:
                 what = "names nothing to repeat: say again what is to be done"
                 self.problems.append(problem_of(wish, ProblemKind.NOT_UNDERSTOOD, what, instruction.span))
             return again
-        if instruction.time_of is not None and not any(map(_is_asked, self.skills)):
+        if instruction.time_of is not None and not any(one.asked for one in self.skills):
             # "Everything must be done by six", said before anything is asked for.
             self.ahead.append((wish, instruction))
             return range(0)
@@ -188,25 +182,20 @@ class Gathering:
 
     def _is_of_what_comes(self, instruction: Instruction) -> bool:
         """Whether it is done beside each of what is told only behind it: how often is known then."""
-        said = said_of_each(instruction)
-        here = len(self.links.instructions)
-        anchor = None if said is None else said.anchor
-        late = {place for place, *_ in self.waiting}
-        return anchor is not None and any(one > here or one in late for one in anchor.each)
-
-    def _make_waiting(self) -> None:
-        """Make what is done beside each of what was told behind it; what waits for its like is last."""
-        late = [place for place, *_ in self.waiting]
-        for place, wish, reading, instruction in sorted(self.waiting, key=lambda one: _latest(one[3], late)):
-            self.links.instructions[place] = self._make(wish, reading, instruction)
+        here, late = len(self.links.instructions), {place for place, *_ in self.waiting}
+        return any(one > here or one in late for one in each_of(instruction))
 
     def finish(self) -> None:
         """Make what waited for others, and let all be done by when words ahead of it said so."""
         for place, instruction in self.lengths:
             self.links.instructions[place] = self._lengthened(instruction)
-        self._make_waiting()
+        late = [place for place, *_ in self.waiting]
+        # What waits for its like is last.
+        self.waiting.sort(key=lambda one: max((p for p in each_of(one[3]) if p in late), default=-1))
+        for place, wish, reading, instruction in self.waiting:
+            self.links.instructions[place] = self._make(wish, reading, instruction)
         for wish, instruction in self.ahead:
-            if not any(map(_is_asked, self.skills)):
+            if not any(one.asked for one in self.skills):
                 what = "says when all must be done, and nothing is asked for"
                 self.problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, what, instruction.span))
             for place in bound_by(instruction, self.skills, self.maker.lexicon):
@@ -253,22 +242,7 @@ class Gathering:
         return []
 
     def _add(self, made: Sequence[Interpreted]) -> None:
-        self._happening |= any(one.stated for one in made)
-        self.skills += [replace(one, identifier=self._name(one.wish)) for one in made]
-
-    def _name(self, wish: Wish) -> str:
-        """Give a skill of a wish an identifier of its own: the wish's, and further ones eggs.2, eggs.3."""
-        name = wish.identifier
-        parts = wish.parts if isinstance(wish, SpokenWish) else ()
-        place, self._seen[name] = self._seen[name], self._seen[name] + 1
-        number = parts[place] if place < len(parts) else max(parts, default=0) + place - len(parts) + 1
-        if number == 1:
-            return name
-        name = f"{name}.{number}"
-        while name in self._taken:
-            name += "'"
-        self._taken.add(name)
-        return name
+        self.skills += [replace(one, identifier=self.identifiers.of(one.wish)) for one in made]
 
     def _timed_by(self, instruction: Instruction) -> range | None:
         """Give the skills of which an instruction tells when they must be done: "it must be done by six"."""
@@ -283,7 +257,7 @@ class Gathering:
     def _time(self, place: int, instruction: Instruction, wish: SpokenWish) -> None:
         """Let a skill be done by when an instruction tells, unless it was asked for later than that."""
         made = self.skills[place]
-        if not _is_asked(made):
+        if not made.asked:
             return
         timed = self.maker.timed(made, instruction, wish.given)
         if timed.skill.satisfaction.support.empty and not made.skill.satisfaction.support.empty:
@@ -324,15 +298,3 @@ class Gathering:
         for place in meant:
             self.skills[place] = self.maker.lengthened(self.skills[place], length, alone=instruction.alone)
         return meant
-
-
-def _is_asked(made: Interpreted) -> bool:
-    """Whether words ask for something to be done."""
-    return made.operation is not None and not made.stated and isinstance(made.wish, SpokenWish)
-
-
-def _latest(instruction: Instruction, late: Sequence[int]) -> int:
-    """Give how far on that stands which is made late and which an instruction is done beside."""
-    said = said_of_each(instruction)
-    anchor = None if said is None else said.anchor
-    return max((place for place in (() if anchor is None else anchor.each) if place in late), default=-1)

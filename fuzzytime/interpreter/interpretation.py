@@ -125,6 +125,11 @@ class Interpreted:
         """Whether words tell that it happens, and ask nobody to do it."""
         return self.operation is not None and self.operation.stated
 
+    @property
+    def asked(self) -> bool:
+        """Whether words ask for something to be done."""
+        return self.operation is not None and not self.operation.stated
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interpretation:

@@ -289,13 +289,6 @@ def _is_told(requirement: TimeRequirement) -> bool:
 
 
 def _parameters(operation: Operation | None) -> dict[str, str]:
-    if operation is None:
-        return {}
-    parts = {
-        "verb": operation.verb,
-        "object": operation.object,
-        "place": operation.place,
-        "manner": operation.manner,
-        "purpose": operation.purpose,
-    }
-    return {name: words for name, words in parts.items() if words}
+    parts = ("verb", "object", "place", "manner", "purpose")
+    said = {} if operation is None else {part: getattr(operation, part) for part in parts}
+    return {part: words for part, words in said.items() if words}

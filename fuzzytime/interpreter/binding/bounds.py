@@ -37,7 +37,7 @@ def bounding(instruction: Instruction, reading: Reading, lexicon: Lexicon) -> In
 
 def bound_by(instruction: Instruction, skills: Sequence[Interpreted], lexicon: Lexicon) -> range:
     """Give the positions of the skills that it tells of: all, or the first where it says when that begins."""
-    asked = (place for place, one in enumerate(skills) if one.operation is not None and not one.stated)
+    asked = (place for place, one in enumerate(skills) if one.asked)
     first = next(asked, 0)
     return range(first, first + 1) if _starts(instruction, lexicon) else range(len(skills))
 

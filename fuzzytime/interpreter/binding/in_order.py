@@ -96,7 +96,7 @@ class Rows:
             row = Row()
             for step in steps:
                 if _waits(step, lexicon):
-                    # Who waits follows as ``pause`` says.
+                    # Who waits follows as ``_pause`` says.
                     self.precedences += row.precedences
                     row = Row()
                 else:
@@ -112,6 +112,10 @@ class Rows:
                     self.precedences.append(one.precedence(other))
         for last in range(len(made)):
             self._enclose(made[: last + 1], skills, lexicon)
+        for _, places in made:
+            self._await_arrival(places, skills, lexicon)
+            self._resume(places, skills, lexicon)
+            self._pause(places, skills, lexicon)
 
     def _enclose(
         self, made: Sequence[tuple[Instruction, range]], skills: Sequence[Interpreted], lexicon: Lexicon
@@ -133,7 +137,7 @@ class Rows:
                 # Of two with times of their own, the times say which comes first.
                 self.precedences += [a.precedence(b) for a, b in pairs if not (a.timed and b.timed)]
 
-    def resume(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
+    def _resume(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
         """Let what is done with "it" follow what was asked for of the same thing before.
 
         What was loaded is unloaded where the way behind it leads.
@@ -164,7 +168,7 @@ class Rows:
         carried = loaded.phrase in lexicon.doing.loading and undoes(undone, loaded, lexicon)
         return Step(self.journey, skills[self.journey]) if carried else None
 
-    def pause(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
+    def _pause(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
         """Let who waits do so right behind what was asked for before, and what comes next follow on that."""
         steps = [Step(place, skills[place]) for place in made if is_asked(skills[place])]
         if len(steps) != 1:
@@ -184,7 +188,7 @@ class Rows:
         known = (" ".join(words[:end]) for end in range(len(words), 0, -1))
         return next((self.latest[name] for name in known if name in self.latest), None)
 
-    def await_arrival(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
+    def _await_arrival(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
         """Let what can be done only with what comes wait for that, unless it has a time of its own."""
         if len(made) != 1:
             return

@@ -203,4 +203,4 @@ def _is_behind(part: TimeRequirement) -> bool:
 
 def is_asked(made: Interpreted) -> bool:
     """Whether something is asked for, once."""
-    return made.operation is not None and not made.stated and not made.repeats
+    return made.asked and not made.repeats

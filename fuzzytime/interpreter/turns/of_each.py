@@ -57,6 +57,12 @@ def said_of_each(instruction: Instruction) -> TimeRequirement | None:
     return next((p for p in instruction.requirements if p.anchor is not None and p.anchor.each), None)
 
 
+def each_of(instruction: Instruction) -> tuple[int, ...]:
+    """Give the instructions beside each of which one is done."""
+    said = said_of_each(instruction)
+    return () if said is None or said.anchor is None else said.anchor.each
+
+
 def of_each(
     instruction: Instruction, before: Sequence[range], skills: Sequence[Interpreted]
 ) -> OfEach | None:
