@@ -33,9 +33,7 @@ ENDS = ".?! "
 ASKING = ("what", "when", "why", "lasting", "supposing")
 """Tables of what opens a question."""
 
-FOR = "for "
-AT = "at "
-FROM = "from "
+FOR, AT, FROM = "for ", "at ", "from "
 
 
 @dataclass(frozen=True)

@@ -137,14 +137,6 @@ def _all_timed(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexico
     if _are_prices(said, lexicon):
         return False
     exact = sum(length > 1 for length in lengths)
-    goes_on = lexicon.timing | lexicon.timing_alone
-    lasting = any(
-        words[first].text in goes_on and length == 1
-        for (first, _), length in zip(entries, lengths, strict=True)
-    )
-    if lasting and exact + sum(has_time(text, lexicon) for text in named) < lexicon.policy.sure_hours:
-        # "Shape it 6:30, bake 40"; but "dough out 6am, shape 6:30, bake 7", "swim 9, brunch 11, film 3.30"
-        return False
     led = any(words[last - 1].text.startswith("0") for _, last in entries)
     # "Call ann 9, feed the cat at 10"
     called = any(

@@ -60,10 +60,6 @@ class Duration:
         return replace(self, hedges=(*hedges, *self.hedges))
 
 
-UNNAMED = "unnamed"
-"""The zone of a clock time by somebody else's clock, of which it is not said where that is."""
-
-
 @dataclass(frozen=True, slots=True)
 class Wall:
     """A wall-clock expression: any of a day, a part of the day and a clock time, and the zone of its clock.

@@ -17,6 +17,9 @@ DAY_HOURS = 24
 NEAR = 3 * 3600
 """Seconds around a part of the day in which a clock time may still be said to be in it."""
 
+UNNAMED = "unnamed"
+"""The zone of a clock time by somebody else's clock, of which it is not said where that is."""
+
 
 class Half(StrEnum):
     """Which half of the day a clock time is in, as said by "am", "in the evening", "at night"."""

@@ -32,7 +32,7 @@ from fuzzytime.language.sentence.sketches.meaning.negations import awaiting, wit
 from fuzzytime.language.sentence.sketches.meaning.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.days.headings import day_above, read_heading
-from fuzzytime.language.sentence.together.days.titles import window_of
+from fuzzytime.language.sentence.together.days.windows import window_above
 from fuzzytime.language.sentence.together.moments import moment_of
 from fuzzytime.language.sentence.together.none_of_it.how_much import uncounted
 from fuzzytime.language.sentence.together.none_of_it.named_whole import named_whole
@@ -94,7 +94,7 @@ class _Composer:
             day=since.day,
             ahead=since.ahead,
             night=since.night,
-            window=_window_of(draft),
+            window=window_above(draft),
         )
         self.usual = since.usual or since.clock is None
         self.mentions = mentions
@@ -292,13 +292,6 @@ def _opening(
     lengths = [length.seconds for phrase in sketch.phrases if (length := opening_of(phrase.said)) is not None]
     asked = operation is not None and operation.is_asked and not denied
     return lengths[0] if asked and len(lengths) == 1 else None
-
-
-def _window_of(draft: Draft) -> tuple[float, float] | None:
-    """Give from when to when a line above says that all below it is; None where none says so."""
-    phrases = () if draft.heading is None else draft.heading.phrases
-    windows = (window_of(phrase, draft, draft.lexicon.policy) for phrase in phrases)
-    return next((window for window in windows if window is not None), None)
 
 
 def _leaves(aside: Aside, length: Grounded) -> bool:

@@ -18,7 +18,8 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
 )
 from fuzzytime.language.sentence.references.several import of_several, one_is_enough, only_one
 from fuzzytime.language.sentence.segments.connectives import agreeing, follows_nothing, within_after
-from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.heading import HEADED
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.around_events.at_events import at_events
 from fuzzytime.language.sentence.sketches.around_events.clause_requirements import of_clause, referred

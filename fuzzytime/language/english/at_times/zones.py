@@ -6,8 +6,8 @@ from fuzzytime.language.english.at_times.stacks import iso
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import UNNAMED, Wall
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.times_of_day import UNNAMED, Clock
 
 grammar = Grammar()
 

@@ -11,8 +11,8 @@ from fuzzytime.language.meaning.days.relations import (
     Stretch,
     Which,
     days_away,
-    weekday_at,
 )
+from fuzzytime.language.meaning.days.side_by_side import weekday_at
 from fuzzytime.language.meaning.days.workdays import Workday
 from fuzzytime.language.meaning.expressions import Coming, Duration, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY

@@ -14,8 +14,7 @@ from fuzzytime.language.grammar.surroundings.compared import SIGNS
 from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 from fuzzytime.language.grammar.understood.due import tells_when_due
 from fuzzytime.language.grammar.understood.lent import counts_one
-from fuzzytime.language.meaning.calendar import is_day_of_month
-from fuzzytime.language.meaning.expressions import Range, Wall, wall_of
+from fuzzytime.language.meaning.expressions import Wall
 
 LONGEST_WISH = 4
 """Words of a hedge such as "if at all possible"."""
@@ -59,11 +58,9 @@ class Borders(Around):
             or self.particles.hold(piece)
             or self.events.named(piece)
             or self._is_object(piece)
-            or self._ends_in_count(piece)
             or self._begins_another(piece)
             or self._is_named(piece)
             or self._says_how(piece)
-            or self._says_order(piece)
             or self._numbers_things(piece)
             or self._likens(piece)
             or self.titles.hold(piece)
@@ -172,10 +169,6 @@ class Borders(Around):
         article = not {*self.texts[place : place + 1]}.isdisjoint(self.beside.of_lengths)
         if not (self.around.timely(place) or self.measures.is_number(place) or article):
             return False
-        ends = self.texts[piece.end - 1] in self.beside.the_very_ends
-        if ends and "," in self.texts[piece.end - LONGEST_WISH : piece.end]:
-            # "Before they come at seven, at the latest | an hour before"
-            return True
         starts = range(max(piece.start + 1, piece.end - LONGEST_WISH), piece.end)
         ending = (said for start in starts for said in self.around.pieces(start) if said.end == piece.end)
         # "Cook lunch roughly | an hour from now", "before the walk at six, at least | half an hour before"
@@ -231,26 +224,6 @@ class Borders(Around):
         """Whether a joint stands between two numbers: "5 to 7"."""
         numbers = self.measures.is_number(place - 1) and self.measures.is_number(place + 1)
         return numbers and self.texts[place] in self.closed.range_joints_or_and
-
-    def _says_order(self, piece: Piece) -> bool:
-        """Whether it begins with where something comes among others: "feed the cat first at six"."""
-        ordinal = self.texts[piece.start] in self.lexicon.ordinals and self.words[piece.start].is_letters
-        wall = piece.value.wall
-        days = None if wall.clock is None else wall.days
-        alone = is_day_of_month(days)
-        before = self.around.before(piece)
-        # "Open it by a third at seven"
-        led = before in self.closed.sure_noun_openers - self.closed.indefinite_determiners
-        return ordinal and alone and not led
-
-    def _ends_in_count(self, piece: Piece) -> bool:
-        """Whether its last word counts what is named behind it: "9:30 second reading", "8-9 first call"."""
-        last, named, time = self.texts[piece.end - 1], self.around.follower(piece), piece.value.time
-        ends = (time.first, time.last) if isinstance(time, Range) else (time,)
-        clocked = any(wall_of(end).clock is not None for end in ends)
-        counts = last in self.beside.ordinal_endings or last in self.lexicon.ordinals
-        thing = named.isalpha() and named not in self.lexicon.function_words
-        return clocked and counts and thing and "the" not in self.texts[piece.start : piece.end]
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""

@@ -4,6 +4,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.borders import Borders
 from fuzzytime.language.grammar.judging.further import Further
 from fuzzytime.language.grammar.judging.lengths import Lengths
+from fuzzytime.language.grammar.judging.look_alikes.things_of_times import counts_from_thing
 from fuzzytime.language.grammar.judging.ranges import Ranges
 from fuzzytime.language.grammar.judging.repeats import Repeats
 from fuzzytime.language.grammar.judging.walls.bare_hours import QUARTERS
@@ -14,18 +15,14 @@ from fuzzytime.language.grammar.surroundings.compared import NEAR
 from fuzzytime.language.grammar.surroundings.surroundings import Around, Surroundings
 from fuzzytime.language.grammar.understood.due import is_due
 from fuzzytime.language.grammar.understood.lent import Lent, is_left_for, lacks_unit
-from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.days.relations import CountedDay
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
-    Ending,
     HourMark,
     Offset,
     Range,
     Repeat,
     Said,
-    Time,
     TimeWord,
     Wall,
 )
@@ -71,7 +68,7 @@ class Judge(Around):
         time = said.time
         if piece.rule in {ANOTHER, *HEADS_ALONE}:
             return self._goes_on(piece)
-        if self._counts_from_thing(piece, time) or self.ranges.heads_meal(piece, time):
+        if counts_from_thing(piece, self.around) or self.ranges.heads_meal(piece, time):
             return False
         if self._is_whole(piece):
             order = self.walls.may_be_order(piece, said)
@@ -233,25 +230,6 @@ class Judge(Around):
                 said.lasting is None and piece.start > 0 and self.around.follower(piece) not in self.closed.of
             )
         return isinstance(said.time, Coming) and said.time.direction < 0
-
-    def _counts_from_thing(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
-        """Whether it counts from one of some things: "sow the second row ten days after the first"."""
-        if isinstance(time, Ending) and self.texts[piece.end - 1] in self.lexicon.ordinals:
-            # "At the beginning of second period", "of the second lesson"
-            return self.texts[piece.end - 2] not in self.closed.the or not self.around.may_end(piece)
-        wall = time.anchor if isinstance(time, Offset) else time
-        days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
-        days = days.anchor if isinstance(days, CountedDay) else days
-        if not isinstance(days, Fields) or days != Fields(day=days.day):
-            return False
-        ordinal = self.texts[piece.end - 1] in self.lexicon.ordinals
-        return ordinal and any(map(self._is_counted, range(piece.start)))
-
-    def _is_counted(self, place: int) -> bool:
-        """Whether an ordinal counts a thing: "the second row"."""
-        behind = self.texts[place + 1 : place + 2]
-        named = bool(behind) and behind[0].isalpha() and behind[0] not in self.lexicon.function_words
-        return self.texts[place] in self.lexicon.ordinals and named and not self.around.timely(place + 1)
 
     def _is_now_and_again(self, piece: Piece) -> bool:
         """Whether "now and again" is two times: "now and again in six hours"."""

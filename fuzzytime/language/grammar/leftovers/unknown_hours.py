@@ -25,17 +25,15 @@ def unknown_hours(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
 
 
 def _halves(scanned: Scanned, known: frozenset[int]) -> Iterator[int]:
-    """Give the places of halves of the day that stand alone: "am: laundry, pm: cook", "iron pm"."""
+    """Give the places of halves of the day that stand alone: "iron pm", "am/pm"."""
     around = scanned.around
     words, lexicon = scanned.words, around.lexicon
     for place, word in enumerate(words):
         if place in known or not lexicon.means(word.text, HALF):
             continue
         before, behind = words[max(0, place - 1) : place], words[place + 1 : place + 2]
-        begins = not before or before[0].text in {";", ","}
-        headed = begins and bool(behind) and behind[0].text == ":"
         ends = not behind or behind[0].text in {";", ",", "."}
-        if headed or (ends and bool(before) and _is_left_over(words, place, lexicon)):
+        if ends and bool(before) and _is_left_over(words, place, lexicon):
             yield place
 
 

@@ -95,7 +95,6 @@ class BesideTimes(NamedTuple):
     from_that: Words
     or_more: Words
     until_hours: Words
-    the_very_ends: Words
     wished_for: Words
     in_place_of: Words
     all_of_a_day: Words
@@ -168,4 +167,3 @@ class BesideTimes(NamedTuple):
     before_no_denial: Words
     leaving_out: Words
     leaving_out_of_all: Words
-    behind_leaving_out: Words

@@ -108,16 +108,11 @@ class BehindTimes(LookedUp):
     def _is_done_with(self, place: int) -> bool:
         """Whether a word and what is behind it are an order: "text ann", "order pizza", "lock up"."""
         verb, thing = self.texts[place], "".join(self.texts[place + 1 : place + 2])
-        if verb in self.lexicon.particles.get(thing, ()):
-            return True
         if not thing.isalpha() or thing in self.lexicon.function_words:
             # "If they're not here by ten start without them"
             doing = self.lexicon.doing
             ordered = self.lexicon.orders | self.lexicon.intransitive | doing.leaving | doing.beginning
             return verb in ordered and counts_nothing(self.words, place, self.lexicon)
-        if looks_plural(thing) and verb in self.lexicon.chores:
-            # "At six water plants at seven"; but "stop at six water points"
-            return not self.closed.prepositions_of_points.isdisjoint(self.texts[place + 2 :])
         somebody = thing in self.lexicon.people
         return not looks_plural(thing) and (somebody or verb in self.lexicon.orders)
 

@@ -208,7 +208,7 @@ class Measures(Compared):
     def _is_read(self, place: int) -> bool:
         """Whether something is found out of what has an amount: "check the speed at six"."""
         before = self.texts[max(0, place - NEAR) : place]
-        stops = [p for p, text in enumerate(before) if text in {".", ";", "then", "and", ","}]
+        stops = [p for p, text in enumerate(before) if text in self.beside.stops]
         said = self.texts[place + 1 : place + 2]
         if not self.closed.stative_verbs.isdisjoint(said):
             # "Check the price is at 10": how much it is.
@@ -230,22 +230,12 @@ class Measures(Compared):
     def is_rate(self, piece: Piece) -> bool:
         """Whether a repetition says how much in how long: "to 20 an hour", "at five km per hour"."""
         first = piece.start
-        while (
-            first > 2
-            and self.texts[first - 2] in self.closed.range_joints_or_and
-            and self.is_number(first - 3)
-        ):
-            # "Repeat steps 1 to 7 every 40 minutes"
-            first -= 2
         named = self.texts[first - 2 : first - 1] if first > 1 else []
         called = {text.removesuffix(end) for text in named for end in ("", "s")}
         again = self.texts[piece.start] in self.beside.first_of_repetitions
         if self.is_number(piece.start - 1) and not again and not (self.lexicon.measure_nouns & called):
             # "Within two working days"; but "pick from bin 4 daily", "take 2 every four hours"
             return True
-        before = self.texts[piece.start - 1 : piece.start] if piece.start else []
-        if "to" in {*before, self.texts[piece.start]}:
-            return self.is_number(piece.start) or self.is_number(piece.start + 1)
         return self.texts[piece.start] == "per" and self.is_number(piece.start - 2)
 
     def is_sure(self, place: int) -> bool:

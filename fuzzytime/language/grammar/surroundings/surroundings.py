@@ -163,16 +163,11 @@ class Surroundings(BehindTimes):
             return not self.may_end(piece)
         ordinal = self.texts[last] in self.lexicon.ordinals
         apart = last > piece.start + 1 and self.texts[last - 1] == ","
-        if ordinal and last > piece.start and (self.is_part(last - 1) or self.texts[last - 1] == THING):
-            # "Feed the cat in the morning first", "do the last thing first"
-            return True
         return ordinal and apart and not any(p.category == "month" for p in self.pieces(last - 2))
 
     def is_owned(self, piece: Piece) -> bool:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
         before = self.before(piece)
-        if before == "her" and self._is_behind_person(piece):
-            return False
         return before in self.closed.possessives or before.endswith("'s")
 
     def _is_behind_person(self, piece: Piece) -> bool:

@@ -43,9 +43,7 @@ def _denying(texts: Sequence[str], phrase: Phrase, lexicon: Lexicon) -> int | No
     if texts[place] in lexicon.beside.leaving_out_of_all:
         all_said = not lexicon.beside.repeating.isdisjoint(texts[:place])
         return place if all_said and phrase.said.constraint not in STRETCHES else None
-    if texts[place] in lexicon.beside.behind_leaving_out:
-        place -= 1
-    left_out = place >= 0 and texts[place] in lexicon.beside.leaving_out
+    left_out = texts[place] in lexicon.beside.leaving_out
     return None if not left_out or isinstance(phrase.said.time, Duration) else place
 
 

@@ -115,7 +115,7 @@ def _between(first: Phrase, second: Phrase, words: Sequence[Word], lexicon: Lexi
         lexicon.beside,
         (first, second),
     )
-    joined: set[str] = between & {"and", "&", ","}
+    joined: set[str] = between & lexicon.closed.joints_of_things
     again = (beside.again | beside.beside_twice) - {"then"}
     if joined and between & beside.twice & beside.again and between <= again:
         # "At eight, again at ten and once more at noon"; but "one at eight and another one at noon"

@@ -17,7 +17,6 @@ from fuzzytime.language.meaning.calendar import (
     is_weekly,
     moved,
 )
-from fuzzytime.language.meaning.days.nested import WeekOf, Within
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.feasts import OfYear, Yearly
 from fuzzytime.language.meaning.instants import SUB_DAY
@@ -295,10 +294,3 @@ class Following(_Single):
             return next(islice(later, self.number - 1, None), None)
         earlier = (days for days in self.series.past(today, anchor.first) if days.end <= anchor.first)
         return next(islice(earlier, -self.number - 1, None), None)
-
-
-def weekday_at(away: Away, weekday: Fields) -> Calendar:
-    """Give the weekday that is so far away: in that week, or the first from a day some months away on."""
-    if away.unit is Unit.WEEK:
-        return Within(weekday, WeekOf(away))
-    return Following(1, weekday, Away(-1, Unit.DAY, away))

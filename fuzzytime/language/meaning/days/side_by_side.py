@@ -1,8 +1,14 @@
 """What two days mean that are said side by side: "monday next week", "tomorrow, the 13th"."""
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, is_weekday
-from fuzzytime.language.meaning.days.nested import Within
-from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative
+from fuzzytime.language.meaning.calendar import (
+    Calendar,
+    Cycle,
+    Fields,
+    Weekend,
+    is_weekday,
+)
+from fuzzytime.language.meaning.days.nested import WeekOf, Within
+from fuzzytime.language.meaning.days.relations import Away, Deictic, Following, Relative
 from fuzzytime.requirement import Unit
 
 
@@ -34,3 +40,10 @@ def same_day(first: Calendar, second: Calendar) -> bool:
         # "Next friday, 5/12", "next friday the 16th": the date is believed.
         return is_weekday(first.of) and isinstance(second, Fields) and second.day is not None
     return isinstance(first, (Relative, Away)) and isinstance(second, Fields) and second.grain is Unit.DAY
+
+
+def weekday_at(away: Away, weekday: Fields) -> Calendar:
+    """Give the weekday that is so far away: in that week, or the first from a day some months away on."""
+    if away.unit is Unit.WEEK:
+        return Within(weekday, WeekOf(away))
+    return Following(1, weekday, Away(-1, Unit.DAY, away))

@@ -66,7 +66,7 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
             # "Bins out before bed", then "ring mum after eight": before the deadline.
             between = (moment for moment in plausible if here.released < moment <= here.since)
             following = next(between, None)
-        chosen = following or _in_day(here, moments, plausible, chosen)
+        chosen = following or chosen
     if here.night is not None and not named and not here.usual:
         # The shift is from 19:30 to 07:30: "handover at quarter past seven" is where it ends.
         first, last = here.night
@@ -105,20 +105,6 @@ def _following(
         # "Dinner is at seven, lay the table at half six", said early in the day
         follows = [moment for moment in plausible[::-1] if since - CLOSE <= moment < since]
     return next(iter(follows), None)
-
-
-def _in_day(
-    here: Standpoint, moments: Sequence[datetime], plausible: Sequence[datetime], chosen: datetime
-) -> datetime:
-    """Give the moment that is not long before the day of the lines begins, if one is.
-
-    "Hall open from 1.30", "tea at 5", "tuner at noon", then "doors 6.45".
-    """
-    if here.opened is None or here.opened - CLOSE <= chosen:
-        return chosen
-    known = moments if here.opened.hour >= NOON else plausible
-    later = (moment for moment in known if here.opened < moment and moment.date() == chosen.date())
-    return next(later, chosen)
 
 
 def _of_night(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:

@@ -3,10 +3,11 @@
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone, tzinfo
 
-from fuzzytime.language.meaning.expressions import UNNAMED, Duration
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounded.grounding import Grounding
 from fuzzytime.language.meaning.grounded.standpoint import Clues
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, shifted
+from fuzzytime.language.meaning.times_of_day import UNNAMED
 from fuzzytime.language.meaning.ungrounded import UngroundedError
 from fuzzytime.language.policy import Policy
 from fuzzytime.times import parse_clock, parse_zone, seconds_between

@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Calendar, Fields, is_day_of_month, is_weekday
-from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative, weekday_at
-from fuzzytime.language.meaning.days.side_by_side import narrowed, same_day
+from fuzzytime.language.meaning.days.relations import Away, Deictic, Relative
+from fuzzytime.language.meaning.days.side_by_side import narrowed, same_day, weekday_at
 from fuzzytime.language.meaning.expressions import Duration, HourMark, Range, Said, Wall
 from fuzzytime.language.meaning.feasts import Feast
 from fuzzytime.language.meaning.joined.distances import said_length

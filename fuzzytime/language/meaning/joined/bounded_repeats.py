@@ -71,9 +71,6 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
 
 def _through(repeat: Repeat, time: Range) -> Repeat | None:
     """Give a repetition from when to when: "every ten minutes from nine to noon"."""
-    if any(wall.part is not None and not wall.part.name for wall in repeat.walls):
-        # "Mon-thu 9-5, fri 9-3": the second are hours of another day.
-        return None
     if _is_day_and_end(time) and not repeat.walls:
         # "Every 20 minutes on friday until noon"
         within = Said(time.last, Constraint.BEFORE, within=wall_of(time.first))

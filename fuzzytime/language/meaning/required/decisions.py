@@ -8,22 +8,13 @@ from datetime import UTC, date, datetime, timedelta
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.days.relations import Relative
-from fuzzytime.language.meaning.expressions import (
-    UNNAMED,
-    Duration,
-    Offset,
-    Range,
-    Repeat,
-    Said,
-    Time,
-    Wall,
-    wall_of,
-)
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, Time, Wall, wall_of
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.instants import Instants
 from fuzzytime.language.meaning.midnights import is_eve
 from fuzzytime.language.meaning.recurrences.recurrence import CalendarRecurrence, EvenRecurrence
 from fuzzytime.language.meaning.recurrences.series import begins_by_policy, bounds_said, hours_of_turns
+from fuzzytime.language.meaning.times_of_day import UNNAMED
 from fuzzytime.language.policy import Midnight
 from fuzzytime.requirement import Recurrence
 

@@ -52,14 +52,6 @@ class Anchors:
         """The words of the language."""
         return self.mentions.lexicon
 
-    def about(self, clause: Clause) -> str | None:
-        """Give what an instruction before is about that a clause is about too; None where there is none."""
-        target = self.target_of(clause)
-        if target is None or target >= self.position:
-            return None
-        operation = self.operation_at(target)
-        return None if operation is None else operation.object
-
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
         closed, doing, condition = self.lexicon.closed, self.lexicon.doing, clause.condition
@@ -269,8 +261,7 @@ class Anchors:
         return self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
 
     def _is_stated(self, target: int) -> bool:
-        operation = self.operation_at(target)
-        return operation is not None and operation.stated
+        return (operation := self.operation_at(target)) is not None and operation.stated
 
     def before_list(self) -> int:
         """Give the instruction before all that the same words ask for, as a list of times does; or -1."""
@@ -298,10 +289,8 @@ class Anchors:
     def going_on(self) -> int:
         """Give the latest instruction that was said to go on for some time, or that right before."""
         before = self.said_to_last()
-        said_here = before is not None and before >= self.first
-        return (
-            before if before is not None and (said_here or self.position == self.first) else self.position - 1
-        )
+        here = before is not None and (before >= self.first or self.position == self.first)
+        return before if before is not None and here else self.position - 1
 
 
 def only_counted(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

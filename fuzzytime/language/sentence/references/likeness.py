@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.references.mentions import comes, comes_by_name, names_of, nouns_of
+from fuzzytime.language.sentence.references.mentions import names_of, nouns_of
 from fuzzytime.language.sentence.references.whereabouts import elsewhere, gets_there
 from fuzzytime.language.sentence.trees.content_words import content_words, stems
 
@@ -117,17 +117,7 @@ def _says_when(clause: Clause, operation: Operation, lexicon: Lexicon) -> bool:
     """Whether a clause says of the same thing that it comes, goes on, begins or ends."""
     if content_words(clause.object).isdisjoint(content_words(operation.object)):
         return False
-    doing, there = lexicon.doing, clause.is_there(lexicon)
-    if (
-        clause.kind != "while"
-        and comes_by_name(operation, lexicon)
-        and (there or clause.verb in doing.arriving)
-    ):
-        # "Before the concrete arrives", where its truck is there at ten
-        return True
-    if clause.kind != "while" and comes(operation, lexicon) and there:
-        # "Once the parts are here", where they arrive at ten.
-        return True
+    doing = lexicon.doing
     word = None if clause.condition is None else clause.condition.word
     goes_on = clause.verb == "be" and word in doing.going_on and clause.kind == "while"
     if operation.stated and (goes_on or clause.verb in doing.beginning | doing.ending):

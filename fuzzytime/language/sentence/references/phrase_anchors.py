@@ -17,7 +17,6 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors, only_counted
 from fuzzytime.language.sentence.references.mentions import waits_for
 from fuzzytime.language.sentence.references.same_thing import (
-    counted_from,
     is_about_the_same,
     since_the_same,
     tells_length_of,
@@ -232,7 +231,7 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
     # "Remind me a day before and an hour before"
     before = anchors.before_list() if phrase.said.preposition in LISTED else anchors.position - 1
     if phrase.said.preposition == LATER:
-        before = counted_from(anchors)
+        before = anchors.position - 1
     own = anchors.operation_at(anchors.position)
     if phrase.said.preposition == EARLIER and own is not None and phrase.span[1] <= own.span[0]:
         before = anchors.counted_down_from()

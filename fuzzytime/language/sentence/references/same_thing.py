@@ -138,17 +138,6 @@ def tells_length_of(anchors: Anchors, target: int) -> bool:
     return _is_of_the_same(anchors, target) and anchors.told.length(target) is None
 
 
-def counted_from(anchors: Anchors) -> int:
-    """Give what so long "later" counts from: what is undone then, or else the instruction before it."""
-    operation = anchors.operation_at(anchors.position)
-    if operation is not None and operation.again:
-        for place, earlier in anchors.just_before():
-            if earlier.object == operation.object and undoes(operation, earlier, anchors.lexicon):
-                # "Put the cake in, whip the cream and take it out after half an hour"
-                return place
-    return anchors.position - 1
-
-
 def is_about_the_same(anchors: Anchors, target: int) -> bool:
     """Whether an instruction is about what another is about, or names nothing else."""
     own, other = anchors.operation_at(anchors.position), anchors.operation_at(target)

@@ -21,8 +21,6 @@ def of_several(clause: Clause, anchors: Anchors, text: str) -> list[TimeRequirem
     condition = clause.condition
     if clause.kind not in BEHIND or clause.is_event or (condition is not None and condition.negated):
         return []
-    if one_is_enough(clause, anchors, text):
-        return []
     targets = _all_meant(clause, anchors, text) or _named(clause, anchors)
     said, what = text[slice(*clause.span)], text[slice(*clause.content)]
     required = [anchors.of_clause(clause.since_begun(), said, what, target) for target in targets]

@@ -26,7 +26,7 @@ def stay_of(clause: Clause, anchors: Anchors) -> tuple[int, Edge] | None:
             continue
         edge = None
         if _is_about(told, condition.subject, anchors):
-            edge = _edge_of(clause, words, told, place, anchors)
+            edge = _edge_of(words, told, place, anchors)
         elif _is_called(told.complement or "", condition.subject, anchors):
             # "The bus picks her up at twelve and brings her back at four"
             said = {told.particle, *(told.place or "").split()[:1]}
@@ -45,12 +45,10 @@ def _is_there(told: Operation, where: str) -> bool:
     return bool(words) and words <= content_words(told.object)
 
 
-def _edge_of(clause: Clause, words: set[str], told: Operation, place: int, anchors: Anchors) -> Edge:
+def _edge_of(words: set[str], told: Operation, place: int, anchors: Anchors) -> Edge:
     """Give the end of somebody's stay that words of a clause are about."""
     closed, said = anchors.lexicon.closed, {told.particle, *(told.place or "").lower().split()[:1]} - {None}
     comes_there = comes(told, anchors.lexicon) or comes_by_name(told, anchors.lexicon)
-    if clause.kind == "while":
-        return Edge.START
     if not words.isdisjoint(closed.adverbs_of_return):
         return Edge.START if comes_there or words & said else Edge.END
     if not words.isdisjoint(closed.adverbs_of_absence):

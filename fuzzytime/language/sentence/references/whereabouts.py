@@ -42,8 +42,6 @@ def gets_there(clause: Clause, operation: Operation, lexicon: Lexicon) -> bool:
     condition, doing = clause.condition, lexicon.doing
     if clause.where is None or condition is None or condition.negated or clause.kind not in SIDES:
         return False
-    if _is_result(clause, lexicon):
-        return False
     if clause.verb not in doing.being_somewhere or not (place := _place(operation) | ways_of(operation)):
         return False
     there = _places(clause)

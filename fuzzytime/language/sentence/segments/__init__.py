@@ -3,7 +3,8 @@
 A ``segment`` of a ``source`` has ``openings``, and ends at a sentence, at "then" (``connectives``), at
 "otherwise" (``other_cases``), or before a verb; short steps behind commas are ``steps_apart``. It waits for
 its tree (``waiting``), with its ``leading_markers`` and ``fronts`` (``whole_clauses``), and is cut again in
-``rounds`` once it has one (``cuts``, ``orders_beside_times``). What is ``borrowed`` holds for both.
+``rounds`` once it has one (``cuts``, ``orders_beside_times``). What is ``borrowed`` holds for both. A line
+alone may be a ``heading``.
 
 ``lists``
     Lines, their marks, and the entries on them.

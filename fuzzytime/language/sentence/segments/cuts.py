@@ -16,7 +16,6 @@ from fuzzytime.language.sentence.segments.orders_beside_times import is_order_be
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import may_have_it_done, takes_verb
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
 from fuzzytime.language.sentence.verbs.statements.called import person_due
 from fuzzytime.language.sentence.verbs.statements.statements import second_statement
@@ -94,9 +93,7 @@ def other_things(one: Waiting, part: Part) -> list[Segment]:
     for start in sorted(_gaps(one, part)) if part.tree.nodes else ():
         pieces = _around(one, part, start)
         if pieces:
-            whole = _is_told(one, part, start) or _is_back(one, part, start)
-            whole = whole or not _takes_verb(one, part, start)
-            return [pieces[0], replace(pieces[1], verbless=not whole)]
+            return [pieces[0], replace(pieces[1], verbless=_takes_verb(one, part, start))]
     return []
 
 
@@ -156,36 +153,6 @@ def _takes_verb(one: Waiting, part: Part, start: int) -> bool:
     named = part.offset + verb.end, start
     first, second = (text[at : min((t for t in times if t > at), default=None)] for at in named)
     return takes_verb(verb.lemma, first, second, part.lexicon)
-
-
-def _is_told(one: Waiting, part: Part, start: int) -> bool:
-    """Whether what was taken for another thing happens: "wake me at six, my train leaves at seven".
-
-    So does what somebody does: "wake me at seven and mum cooks tonight".
-    """
-    before = [p.first for p in one.source.phrases if p.span[0] > start and p.first]
-    last = one.source.scanned.words[min(before) - 1] if before else None
-    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), 0)
-    # "Send dad tickets today and mum flowers tomorrow"
-    acts = _does(part, place) and not _does(part, part.tree.root + 1)
-    return acts or (last is not None and last.start > start and last.text in part.lexicon.doing.timed)
-
-
-def _does(part: Part, place: int) -> bool:
-    """Whether somebody is named at a place, and what may be done behind it: "mum cooks"."""
-    lexicon = part.lexicon
-    known = lexicon.names | lexicon.names_like_words | lexicon.called["him"] | lexicon.called["her"]
-    who, what = part.tree.nodes[place : place + 1], part.tree.nodes[place + 1 : place + 2]
-    return any(node.lower in known for node in who) and any(n.may_act and n.lower != n.lemma for n in what)
-
-
-def _is_back(one: Waiting, part: Part, start: int) -> bool:
-    """Whether somebody is somewhere again, and nothing is put there: "leave at eight, back about noon"."""
-    again = part.lexicon.closed.adverbs_of_repetition & part.lexicon.particles.keys()
-    root = part.tree.root
-    acts_on = part.tree.children(root, "dobj") and not part.tree.children(root, *SUBJECTS)
-    back = any(word.start == start and word.text in again for word in one.source.scanned.words)
-    return back and not acts_on
 
 
 def _denied_list(one: Waiting, starts: Sequence[int]) -> list[Segment]:

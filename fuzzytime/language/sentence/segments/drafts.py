@@ -14,13 +14,13 @@ from fuzzytime.language.grammar.understood.lists import closed_lists
 from fuzzytime.language.grammar.understood.minutes_of_steps import says_lengths
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation, Order, Remark, Span, blanked
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, wall_of
+from fuzzytime.language.meaning.expressions import Phrase, Said
 from fuzzytime.language.meaning.phrases import places_in
-from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.connectives import order_words
 from fuzzytime.language.sentence.segments.events.event_edges import said_apart
 from fuzzytime.language.sentence.segments.events.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.events.prepared_for import with_prepared_for
+from fuzzytime.language.sentence.segments.heading import Heading
 from fuzzytime.language.sentence.segments.lists.dividers import divided
 from fuzzytime.language.sentence.segments.lists.heads import with_time_in_front
 from fuzzytime.language.sentence.segments.lists.hours_of_lines import Timed, hours_in
@@ -62,8 +62,6 @@ NOTED = "is taken as a note, and not planned"
 
 TITLED = "is taken as a title, and not planned"
 
-HEADED = "heading"
-"""The rule of a time that a line above says."""
 
 READ_APART = (
     without_reminding,
@@ -76,34 +74,6 @@ READ_APART = (
     with_brackets_apart,
 )
 """What gives a text of the same length in which more is told apart, in the order of their reading."""
-
-
-@dataclass(frozen=True, slots=True)
-class Heading:
-    """A time on a line of its own: its name, the line, and the times and clauses in it.
-
-    ``addressee`` is who is called there instead: "Robot 2:". Its line ``happens`` where it tells of what goes
-    on then, too: "Night shift Friday 21:00-07:00".
-    """
-
-    name: str
-    text: str
-    scanned: Scanned
-    phrases: tuple[Phrase, ...] = ()
-    clauses: tuple[Clause, ...] = ()
-    addressee: str | None = None
-    happens: bool = False
-
-    @property
-    def day(self) -> Phrase | None:
-        """The day, part of a day or repetition of days that it says first, if any."""
-        return next((phrase for phrase in self.phrases if phrase.said.is_day), None)
-
-    @property
-    def is_day(self) -> bool:
-        """Whether it says which day is meant."""
-        time = None if self.day is None else self.day.said.time
-        return isinstance(time, Repeat) or wall_of(time).days is not None
 
 
 @dataclass(frozen=True, slots=True)

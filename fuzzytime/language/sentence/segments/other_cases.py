@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase
-from fuzzytime.language.sentence.clauses.conditions import EXCEPTING
 from fuzzytime.requirement import Constraint
 
 OTHER_CASE = "otherwise"
@@ -33,9 +32,6 @@ def begins_other_case(
     if place and words[place - 1].text in lexicon.doing.saying:
         # "Unless Ann says otherwise start at nine"
         return False
-    if words[place].text == "in":
-        # "Mow it unless it rains, in which case sweep the shed"
-        return clause[0] == EXCEPTING
     if said == "," or said in lexicon.beside.second_choice:
         return True
     last = words[end + 1 :][:1]

@@ -17,7 +17,6 @@ from fuzzytime.language.sentence.segments.events.named_events import (
     counts_event,
     heads,
     listed,
-    one_by_one,
 )
 from fuzzytime.language.sentence.segments.openings import (
     before_courtesies,
@@ -123,7 +122,6 @@ def _following(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexico
     found |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
     return found.union(
         listed(phrases, words, lexicon),
-        one_by_one(phrases, words, lexicon),
         behind_happening(phrases, words, lexicon),
         behind_statements(phrases, words, lexicon, ENDS),
         beside(phrases, words, lexicon),

@@ -13,7 +13,7 @@ from fuzzytime.language.sentence.sketches.around_events.prepared import due_of
 from fuzzytime.language.sentence.sketches.meaning.clock_times import NOTHING, last_said
 from fuzzytime.language.sentence.sketches.meaning.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.days.days_apart import follows_night
+from fuzzytime.language.sentence.together.days.mornings_after import follows_night
 from fuzzytime.language.sentence.together.times.pairs import follows_on, leads_to, side_of_night
 
 

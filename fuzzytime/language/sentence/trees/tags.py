@@ -21,5 +21,14 @@ SINGULAR = frozenset({"NN", "NNP"})
 NOUNS = frozenset({"NN", "NNS", "NNP"})
 """Tags of things, and of orders taken for one."""
 
+ALL_NOUNS = NOUNS | {"NNPS"}
+"""Tags of all that names something."""
+
+NAMING = ALL_NOUNS | DETERMINERS | {"JJ", "CD", "POS"}
+"""Tags of the words of a name."""
+
+FINITE = frozenset({"VBZ", "VBP", "VBD", "MD"})
+"""Tags of what says that something is so."""
+
 PAST = frozenset({"VBN", "VBD"})
 """Tags of what was done; trees mistake one for the other."""

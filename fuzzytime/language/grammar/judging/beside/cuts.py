@@ -45,10 +45,6 @@ class Cuts(Standing):
         if wall.part is not None and wall.part.half is not Half.NIGHT and texts[-2] == "at":
             # "Call mum at ten, | at sunset", "hens out at ten, | in at sunset"
             return self.around.is_part_or_meal(piece.end - 1)
-        if wall.part is not None and texts[-2] == ",":
-            # "Meds at eleven, | afternoon tea at four"
-            follower = self.around.follower(piece)
-            return follower.isalpha() and follower not in self.lexicon.function_words
         if wall.days is None:
             return False
         number = piece.end + (self.around.follower(piece) in OF_CLOCKS)
@@ -119,10 +115,6 @@ class Cuts(Standing):
         first, before = self.texts[piece.start], self.around.before(piece)
         if first == ">" and self.words[piece.start].glued and "<" in self.texts[: piece.start]:
             # "Buy <wine> at six"
-            return True
-        before_last = self.texts[piece.end - 2] if piece.end - piece.start > 1 else ""
-        if before_last in self.lexicon.ordinals and self.texts[piece.end - 1] in self.closed.sides:
-            # "Take the first right"
             return True
         if piece.start and all(self._is_long(place) for place in (piece.start - 1, piece.start)):
             # "Call 0800 555 1234 this afternoon"

@@ -141,8 +141,6 @@ class Particles(Around):
             return False
         if piece.value.preposition == "in" and self._is_counted(self.texts[piece.start : piece.end]):
             return True
-        if " ".join(self.texts[piece.end : piece.end + 2]) in self.beside.from_that:
-            return True
         # "Check in 24 hours before the flight", "clock in five minutes early"
         time = piece.value.time
         distance = isinstance(time, Duration) or (isinstance(time, Offset) and time.anchor is None)

@@ -4,7 +4,9 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.look_alikes.proper_names import is_typed_name, is_whom
 from fuzzytime.language.grammar.judging.look_alikes.spoken_of import is_converted, is_spoken_of
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
-from fuzzytime.language.meaning.days.relations import Deictic, Relative, Stretch, Which
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.days.relations import CountedDay, Deictic, Relative, Stretch, Which
+from fuzzytime.language.meaning.expressions import Offset, Wall
 from fuzzytime.language.meaning.units import UnitWord
 from fuzzytime.requirement import Unit
 
@@ -188,3 +190,22 @@ def is_from_the_past(piece: Piece, around: Surroundings) -> bool:
         # "The episode from last | tuesday"
         return True
     return past and around.belongs(first)
+
+
+def counts_from_thing(piece: Piece, around: Surroundings) -> bool:
+    """Whether it counts from one of some things: "sow the second row ten days after the first"."""
+    time = piece.value.time
+    wall = time.anchor if isinstance(time, Offset) else time
+    days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
+    days = days.anchor if isinstance(days, CountedDay) else days
+    if not isinstance(days, Fields) or days != Fields(day=days.day):
+        return False
+    ordinal = around.texts[piece.end - 1] in around.lexicon.ordinals
+    return ordinal and any(_counts_thing(place, around) for place in range(piece.start))
+
+
+def _counts_thing(place: int, around: Surroundings) -> bool:
+    """Whether an ordinal counts a thing: "the second row"."""
+    behind = around.texts[place + 1 : place + 2]
+    named = bool(behind) and behind[0].isalpha() and behind[0] not in around.lexicon.function_words
+    return around.texts[place] in around.lexicon.ordinals and named and not around.timely(place + 1)

@@ -116,8 +116,6 @@ class BareHours(Standing):
         if said.preposition is None and self.given.is_caught(piece):
             # "Catch the 4.15 train"
             return True
-        if self.reminds(piece):
-            return True
         # "At five thirty pick up bread": no amount is said like that.
         worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
         sure = said.preposition == "at" and worded

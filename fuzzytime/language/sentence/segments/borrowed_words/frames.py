@@ -4,14 +4,13 @@ What is said once, in front of who or what it is about or behind it, is the fram
 """
 
 from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
-    NAMING,
     Stretch,
     Wish,
     end_of,
     front_of,
 )
 from fuzzytime.language.sentence.trees.named import is_of_its_own, takes_verb
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, NAMING, PAST, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
 

@@ -4,12 +4,9 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import NAMING, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
-
-NAMING = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "NNPS", "CD", "POS"})
-"""Tags of words that name who or what a wish is about."""
 
 Stretch = tuple[int, range]
 """A place in a tree, and the places of the words that are heard again before it."""

@@ -7,7 +7,7 @@ from fuzzytime.language.sentence.segments.borrowed_words.further_wishes import (
     ordered,
 )
 from fuzzytime.language.sentence.trees.named import is_of_its_own, may_have_it_done
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, FINITE
 from fuzzytime.language.sentence.trees.tree import Tree
 
 LEADING = frozenset({"TO", "PRP", "MD", "CC", "UH", "RB"})
@@ -145,7 +145,7 @@ def _tells(wish: Wish, place: int, named: int) -> bool:
     if before.tag == "POS" or node.tag == "POS":
         # "And gran's coming tomorrow", "and the meeting's at two"
         return (node.lemma != node.lower and node.may_act) or place + 1 == named
-    finite = node.tag in {"VBZ", "VBP", "VBD", "MD"} or (node.tag == "VB" and before.lower != "to")
+    finite = node.tag in FINITE or (node.tag == "VB" and before.lower != "to")
     acts = place < named and node.may_act and node.lower != node.lemma and _is_somebody(wish, place - 1)
     # "And the doors open at eight"
     opens = node.lower in wish.lexicon.doing.timed | wish.lexicon.doing.several_timed

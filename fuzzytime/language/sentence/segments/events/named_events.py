@@ -6,7 +6,7 @@ from itertools import pairwise, takewhile
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import HourMark, Phrase, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.meaning.phrases import places_in
 
 LONGEST_NAME = 4
@@ -62,27 +62,6 @@ def listed(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -
         told = (word for word in words[before.end : clock.first] if word.is_letters)
         if not between and any(word.text not in lexicon.function_words for word in told):
             yield clock.first
-
-
-def one_by_one(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
-    """Give where orders begin that each have their time in front: "at six lay the fire | at half past …".
-
-    The first time begins the text, and behind each of the others stands what is done then.
-    """
-    clocks = [phrase for phrase in phrases if phrase.said.preposition == "at" and _is_of_clock(phrase)]
-    if not clocks or any(word.text not in lexicon.addresses for word in words[: clocks[0].first]):
-        return
-    for before, clock in pairwise(clocks):
-        between = [other for other in phrases if before.end <= other.first < clock.first]
-        starts = (place for place in (before.end, clock.end) if place < len(words))
-        led = [words[p].is_letters and words[p].text not in lexicon.function_words for p in starts]
-        joined = words[clock.first - 1].text in {",", *lexicon.closed.joints_of_orders}
-        if not between and led == [True, True] and not joined and clock.first > before.end + 1:
-            yield clock.first
-
-
-def _is_of_clock(phrase: Phrase) -> bool:
-    return phrase.said.wall.clock is not None or isinstance(phrase.said.time, HourMark)
 
 
 def behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:

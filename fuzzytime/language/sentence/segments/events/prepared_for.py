@@ -7,8 +7,8 @@ from fuzzytime.requirement import MOMENTS
 LONGEST_NAME = 4
 """Words of what it is for, at most: "the school summer fair"."""
 
-BEFORE, STOP = "b4 ", "; "
-"""What is said instead of "for", and of a "so" before it, as long as they are."""
+BEFORE = "b4 "
+"""What is said instead of "for", as long as it is."""
 
 STARTS = frozenset({".", "!", "?", ";", "\n", "so"})
 """What stands before a sentence, or before what is done for a reason."""
@@ -28,10 +28,6 @@ def with_prepared_for(scanned: Scanned) -> str:
         text = text[: word.start] + BEFORE + text[word.end :]
         if words[end].text in PAUSES:
             text = text[: words[end].start] + "," + text[words[end].end :]
-        if led == "so":
-            # "The lamb takes three hours so for dinner at seven start it at four"
-            so = words[place - 1]
-            text = text[: so.start] + STOP + text[so.end :]
     return text
 
 

@@ -14,7 +14,7 @@ from fuzzytime.language.sentence.segments.borrowed import Borrowed
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import names_one
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, NAMING, PAST
 from fuzzytime.language.sentence.trees.tree import Node
 
 FINITE = frozenset({"VBZ", "VBD", "VBP", "VB", "MD"})
@@ -22,9 +22,6 @@ FINITE = frozenset({"VBZ", "VBD", "VBP", "VB", "MD"})
 
 INSIDE = frozenset({"IN", "TO", "POS"})
 """Tags of little words in a name: "dinner with Jo", "samples to the lab", "mum's birthday"."""
-
-PLACED = frozenset({"DT", "PRP$", "POS", "JJ", "NN", "NNS", "NNP", "NNPS", "CD"})
-"""Tags of what says where, behind its preposition: "in room 4", "at the clinic"."""
 
 LONGEST = 6
 """Words of what an entry names at most."""
@@ -216,5 +213,5 @@ def _before_place(said: Sequence[int], nodes: Sequence[Node]) -> int:
     """Give how many words name an entry, where a place stands behind its time: "gym at six in town"."""
     apart = next((at for at in range(1, len(said)) if said[at] - said[at - 1] > 1), len(said))
     behind = [nodes[place] for place in said[apart:]]
-    placed = len(behind) > 1 and behind[0].tag == "IN" and all(node.tag in PLACED for node in behind[1:])
+    placed = len(behind) > 1 and behind[0].tag == "IN" and all(node.tag in NAMING for node in behind[1:])
     return apart if placed else len(said)

@@ -18,7 +18,7 @@ from fuzzytime.language.sentence.segments.further.orders_in_front import (
 )
 from fuzzytime.language.sentence.segments.further.overlooked_orders import is_overlooked
 from fuzzytime.language.sentence.segments.orders_beside_times import is_led_by_time
-from fuzzytime.language.sentence.trees.tags import IMPERATIVE
+from fuzzytime.language.sentence.trees.tags import FINITE, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.meant.orders_before import denied_from
@@ -33,7 +33,6 @@ from fuzzytime.language.sentence.verbs.statements.statements import (
 SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
 
-FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 WANTED = "xcomp"
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
@@ -85,7 +84,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:
         return place
     if _is_gerund_too(tree, place, root):
         return place
-    if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
+    if place > 1 and _follows_so(tree, place, timed):
         return place
     if place > 1 and place != root and is_overlooked(tree, place, timed):
         return place
@@ -109,19 +108,6 @@ def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
     # "At six or so call mum": that "so" is of the time.
     joint = tree.nodes[place - 1].lower == "so" and place - 1 not in timed
     return bare and joint and before in timed
-
-
-def _follows_statement(tree: Tree, place: int, root: int, timed: set[int]) -> bool:
-    """Whether a bare verb behind a comma is taken for what something does: "it shuts at three, get bread".
-
-    So it is behind a colon: "the shop opens at nine: buy milk".
-    """
-    node = tree.nodes[place]
-    told = tree.nodes[root].tag == "VBZ" and any(p < root for p in tree.children(root, *ANY_SUBJECTS))
-    relations = {",": {"xcomp"}, ":": COORDINATE}.get(tree.nodes[place - 1].text, frozenset())
-    joined = node.head == root and node.relation in relations
-    whole = not tree.children(place, *ANY_SUBJECTS, "aux", "mark")
-    return told and joined and whole and node.tag in IMPERATIVE and place - 2 in timed
 
 
 def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:

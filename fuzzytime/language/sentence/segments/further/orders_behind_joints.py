@@ -77,18 +77,12 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
         words = (word for word in source.places(main, start) if word not in covered)
         clauses = (w for w in words if longest_match(source.scanned.words, w, tree.lexicon.clauses))
         marked = next(clauses, None) if marked is None else marked
-        if marked is not None and led.text != "," and not _acts_alone(tree, one, marked, first):
+        if marked is not None and led.text != ",":
             # "Stir it when the chefs salt the soup and pepper the steak": what is in a clause.
             continue
         before = source.sound[main : led.start + one.main].strip()
         apart = first - 2 in timed or tree.nodes[first - 2].tag == "RP"
         yield _Try(place, start, sure, apart, before, source.sound[verb : one.segment.span[1]])
-
-
-def _acts_alone(tree: Tree, one: Waiting, marked: int, end: int) -> bool:
-    """Whether one does what a clause says, so that no bare verb goes on: "when it dries and sand it"."""
-    begin = one.source.scanned.words[marked].start - one.main
-    return any(node.tag == "VBZ" and node.start > begin for node in tree.nodes[:end])
 
 
 def _is_done_alone(tree: Tree) -> bool:

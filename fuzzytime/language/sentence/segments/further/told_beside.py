@@ -7,7 +7,6 @@ of them for a part of the other. Where a joint stands between words that may be 
 from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
-from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, is_bare, is_order, is_wish
@@ -91,7 +90,7 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             continue
         before = {*source.places(one.main, start)} - source.covered
         led = any(longest_match(source.scanned.words, word, lexicon.clauses) for word in before)
-        if led and not (joint == "," and _names_again(tree, here)):
+        if led:
             # "Serve once the rice is done and the beans are done"
             return
         first = sound[one.main : one.end_before(start)].strip()
@@ -103,12 +102,6 @@ def _tries(place: int, one: Waiting, tree: Tree) -> Iterator[_Try]:
             yield _Try(place, start, one.main, second, first)
         if joint == "so" and is_wish(tree, here):
             yield _Try(place, start, one.main, second, first, wishes=True)
-
-
-def _names_again(tree: Tree, place: int) -> bool:
-    """Whether what was named before begins there: "do it before the gig, | the gig is at six"."""
-    named = tree.nodes[place + (tree.nodes[place].tag in DETERMINERS)]
-    return named.tag in NOUNS and any(named.lower == node.lower for node in tree.nodes[:place])
 
 
 def _is_parted(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
@@ -131,8 +124,6 @@ def _may_tell(tree: Tree, place: int) -> bool:
     """Whether words behind a joint may tell something: one of them may be what somebody does."""
     first, *behind = tree.nodes[place:]
     known = first.lower in tree.lexicon.people
-    if not known and any(_is_whose(*pair, tree.lexicon) for pair in pairwise(behind)):
-        return False
     sure = known or _is_surely_timed(behind, tree.lexicon)
     if first.tag in {"NN", "NNS"} and not sure:
         # "School starts at nine"; but "buy stamps, cards and the tea mum likes"
@@ -140,12 +131,6 @@ def _may_tell(tree: Tree, place: int) -> bool:
     finite = (node.tag in OPEN for node in behind)
     taken = (node.may_act and node.tag in NOUNS | {"NNPS", "VB"} for node in behind)
     return known or (first.tag in TELLING and (any(finite) or any(taken)))
-
-
-def _is_whose(thing: Node, somebody: Node, lexicon: Lexicon) -> bool:
-    """Whether somebody stands behind a thing and does what is said of it: "the tea mum likes"."""
-    named = thing.tag.startswith("NN") and thing.lower not in lexicon.people
-    return named and somebody.lower in lexicon.people and somebody.lower not in lexicon.happening
 
 
 def _may_order(tree: Tree, place: int) -> bool:

@@ -10,7 +10,7 @@ from fuzzytime.language.meaning.expressions import Phrase, TimeWord
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import ALL_NOUNS, DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint
 
@@ -19,9 +19,6 @@ SHORTEST_GAP = 2
 
 THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
 """Tags of words that name a thing, or what is called out: "goodbye"."""
-
-NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
-"""Tags of what names something, where a sentence has no verb."""
 
 DESCRIBING = frozenset({"JJ", "JJR", "VBN", "VBD", "VBG"})
 """Tags of how a thing is; a plural may have that of a verb: "finals"."""
@@ -77,9 +74,7 @@ def verbs_left_out(one: Waiting, part: Part) -> list[int]:
         if _turns_to_particle(between, part.lexicon):
             found.append(between[1].start)
             continue
-        if joint == ["and", "then"]:
-            between = between[1:]
-        elif not between or between[0].text not in {"and", ",", "or", "then"}:
+        if not between or between[0].text not in {"and", ",", "or", "then"}:
             continue
         if len(between) >= SHORTEST_GAP and (
             _names_another(one, part, between, old, new)
@@ -109,7 +104,7 @@ def _things_behind_clauses(one: Waiting, part: Part, own: Sequence[Phrase]) -> l
         # "When you get up"; but "when the rice and the peas are done"
         said, added = ([*part.at(span)] for span in ((clause.start, word.start), (word.end, when)))
         # But "and another one": that is the same again.
-        named = added[:1] and tree.nodes[added[0]].tag in NAMES | DETERMINERS
+        named = added[:1] and tree.nodes[added[0]].tag in ALL_NOUNS | DETERMINERS
         named = named and tree.nodes[added[-1]].lower not in lexicon.closed.plural_anaphors | {"one"}
         if named and all(_is_of_thing(part, p, ()) for p in added) and _is_whole(part, said, added):
             return [words[place + 1].start]
@@ -129,7 +124,7 @@ def _is_whole(part: Part, said: Sequence[int], added: Sequence[int]) -> bool:
     things = part.tree.said(part.tree.children(part.tree.root, "dobj", "dative"))
     alive = lexicon.people | lexicon.animals
     alike = not alive.isdisjoint(things) and not alive.isdisjoint(nodes[p].lower for p in added)
-    return alike or not any(nodes[p].tag in NAMES for p in said if p > verb)
+    return alike or not any(nodes[p].tag in ALL_NOUNS for p in said if p > verb)
 
 
 def _when(one: Waiting, place: int, own: Sequence[Phrase]) -> int | None:
@@ -151,7 +146,7 @@ def _times_in_front(one: Waiting, part: Part, own: Sequence[Phrase]) -> list[int
     if not heads:
         return []
     found, timed = [], places_in(own)
-    listed = part.tree.nodes[part.tree.root].tag in NAMES
+    listed = part.tree.nodes[part.tree.root].tag in ALL_NOUNS
     for new in own[1:]:
         end = new.end
         for beside in own:
@@ -193,9 +188,6 @@ def _is_ordering(phrase: Phrase) -> bool:
 def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phrase, new: Phrase) -> bool:
     """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
     root = part.tree.root
-    if len(between) == SHORTEST_GAP and between[1].text in part.lexicon.ordinals:
-        # "The first dose at ten, second at two"
-        return True
     words = one.source.scanned.words
     if _is_value(between[1:], part.lexicon) and _is_value(
         words[max(old.first - 2, 0) : old.first], part.lexicon
@@ -221,10 +213,10 @@ def _names_another(one: Waiting, part: Part, between: Sequence[Word], old: Phras
     has = part.tree.said(part.tree.children(root, *SUBJECTS)) & part.lexicon.closed.first_person
     told = verb.lower in part.lexicon.closed.present_be or (bool(has) and verb.lemma in {"have", "get"})
     is_then = told and bool(part.tree.children(root, *SUBJECTS))
-    happening = verb.tag in NAMES or (verb.tag == "VBG" and verb.lower in takes_time) or is_then
+    happening = verb.tag in ALL_NOUNS or (verb.tag == "VBG" and verb.lower in takes_time) or is_then
     # But "the shop is open at nine and closed at six" says two things of one.
     tags = [part.tree.nodes[p].tag for p in nodes]
-    says_how = NAMES.isdisjoint(tags) and any(tag in DESCRIBING for tag in tags)
+    says_how = ALL_NOUNS.isdisjoint(tags) and any(tag in DESCRIBING for tag in tags)
     listed = happening and not says_how and between[0].text in part.lexicon.closed.joints_of_things
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.

@@ -87,12 +87,6 @@ class _Step:
         """Whether it goes on with nothing that is said before it in its sentence, but comes next."""
         return not self.joints or any(word.text in ENDS | {"then"} for word in self.joints)
 
-    def is_told_of(self, first: "_Step") -> bool:
-        """Whether who is named in the first may do it: "Tom gets up at six, showers at seven"."""
-        verbs = (*first.name[-1:], *self.name)
-        told = len(first.name) > 1 == len(self.name) and all(word.endswith("s") for word in verbs)
-        return told and not self.is_led
-
 
 def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
     """Give the joints of a text that stand between such steps, where two of them have a time."""
@@ -107,9 +101,8 @@ def chained(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Span]:
     for step in (*steps, None):
         goes_on = step is not None and not ENDS.intersection(word.text for word in step.joints)
         if step is not None and goes_on and run and (step.is_timed or step.is_alone or step.is_apart):
-            apart = not step.is_told_of(run[0])
-            run += [step] if apart else []
-            if apart and not step.is_apart:
+            run.append(step)
+            if not step.is_apart:
                 continue
         if sum(one.is_timed for one in run) >= LEAST:
             found += [one.joint for one in run[1:] if one.joint is not None]

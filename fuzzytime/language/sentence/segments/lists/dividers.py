@@ -14,7 +14,6 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.understood.lists import closed_lists
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.sentence.segments.lists.chains import chained
 from fuzzytime.language.sentence.segments.lists.entries import Entry, is_when, names_day
 from fuzzytime.language.sentence.segments.lists.heads import headed
@@ -47,9 +46,6 @@ PAIR, LIST = 2, 3
 
 DAY_AND_THING = 2
 """Words of an entry that says no more than what is when."""
-
-LONGEST_STEP = 3
-"""Words of a step at most, without how long it takes."""
 
 LONGEST_TIME = 8
 """Words of a time that heads an entry at most."""
@@ -186,39 +182,6 @@ def _head_entries(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> b
     return all(entries) or not any(entries)
 
 
-def _last_so_long(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between steps and how long they take: "mix 5 min, prove 1h, bake 40 min"."""
-    # Most lines are no such list, and to scan them costs time.
-    numbered = all(any(map(str.isdigit, item)) and item.strip()[:1].isalpha() for item in items)
-    return numbered and all(_is_timed_step(item, grammar, lexicon) for item in items)
-
-
-def _is_timed_step(item: str, grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether a text is a step and how long it takes: "bake 40 min"; but not "boil peas 5 min".
-
-    It is one word, or begins with what takes so long.
-    """
-    scanned = Scanned.of(item, grammar, lexicon)
-    lengths = (piece for piece in scanned.pieces("duration") if piece.end == len(scanned.words))
-    step = scanned.words[: min((piece.start for piece in lengths), default=0)]
-    if not 0 < len(step) <= LONGEST_STEP or not all(word.is_letters for word in step):
-        return False
-    timed = lexicon.timing | lexicon.timing_alone | lexicon.doing.settling
-    return step[-1].text not in lexicon.function_words and (len(step) == 1 or step[0].text in timed)
-
-
-def _first_so_long(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between lengths, each of what is named behind it: "5 min bike, 20 min core"."""
-    numbered = all(item.strip()[:1].isdigit() for item in items)
-    return numbered and all(_is_so_long(item, grammar, lexicon) for item in items)
-
-
-def _is_so_long(item: str, grammar: Grammar, lexicon: Lexicon) -> bool:
-    scanned = Scanned.of(item, grammar, lexicon)
-    lengths = (one for one in phrases_of(scanned) if isinstance(one.said.time, Duration))
-    return any(one.first == 0 and one.end < len(scanned.words) for one in lengths)
-
-
 def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
     """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30", "9-10 gym, …".
 
@@ -270,7 +233,7 @@ def _timed_items(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> se
     return timed | {1} if apart or denied else timed
 
 
-BY_COMMAS = (_head_entries, headed, _last_so_long, _first_so_long, _each_is_timed)
+BY_COMMAS = (_head_entries, headed, _each_is_timed)
 """Lists whose entries commas tell apart."""
 
 

@@ -23,27 +23,18 @@ LEAST_DONE = 3
 
 NTH = 3
 """Words before the thing in "prune the second rose"."""
+
 BESIDE_DONE = frozenset({"prep", "agent", "npadvmod", "advmod", "punct", "cc", "conj", "prt"})
 """How what hangs on a participle that names nothing."""
-
-
-TWO = 2
 
 OF_TIMES = frozenset({"prep", "pobj", "punct", "nummod"})
 """How what hangs on a word that stands beside when."""
 
-LET = 2
-"""Words before what is done in "let's film"."""
-
-LEAST = 2
-"""Words of "remind me", before a clause."""
+TWO = 2
+"""Words of "let's film" before what is done, of "remind me", of a thing and where it is: "oven on"."""
 
 WITHIN = ("advcl", "xcomp", "relcl", "acl", "ccomp")
 """How a tree hangs such a verb on the clause before it."""
-
-
-NAMED = 2
-"""Words of a thing and where it is: "oven on"."""
 
 
 def as_done(tree: Tree) -> Tree:
@@ -78,7 +69,7 @@ def as_thing(tree: Tree, timed: AbstractSet[int]) -> Tree:
             tree = tree.changed(place, relation="compound")
         return tree.changed(end - 1, tag="NN")
     said = [node for node in tree.nodes[:end] if node.lower not in again]
-    if len(said) < NAMED or said[-1].lower not in tree.lexicon.particles or said[0].may_act:
+    if len(said) < TWO or said[-1].lower not in tree.lexicon.particles or said[0].may_act:
         return tree
     named = said[0].is_bare and all(node.tag.startswith("NN") for node in said[1:-1])
     return tree.changed(0, tag="NN") if named else tree
@@ -254,12 +245,12 @@ def _is_led(tree: Tree, place: int, first: int) -> bool:
 
 def _lets(tree: Tree) -> Tree | None:
     """Give "let's film at noon" its second verb, which was taken for a thing."""
-    if len(tree.nodes) <= LET or tree.root != 0 or tree.nodes[0].lower != "let":
+    if len(tree.nodes) <= TWO or tree.root != 0 or tree.nodes[0].lower != "let":
         return None
-    us, done = tree.nodes[1], tree.nodes[LET]
-    if us.lower not in {"'s", "’s", "us"} or us.head != LET or done.tag != "NN" or not done.may_act:
+    us, done = tree.nodes[1], tree.nodes[TWO]
+    if us.lower not in {"'s", "’s", "us"} or us.head != TWO or done.tag != "NN" or not done.may_act:
         return None
-    return tree.changed(LET, tag="VB", relation="ccomp").changed(1, relation="nsubj")
+    return tree.changed(TWO, tag="VB", relation="ccomp").changed(1, relation="nsubj")
 
 
 def as_order(tree: Tree) -> Tree:
@@ -288,7 +279,7 @@ def with_reminded(tree: Tree) -> Tree:
     if root != 0 or tree.nodes[0].lemma not in tree.lexicon.addressing or tree.children(root, "xcomp"):
         return tree
     reminded = tree.children(root, "dobj", "dative")
-    for verb in range(LEAST + 1, len(tree.nodes)):
+    for verb in range(TWO + 1, len(tree.nodes)):
         to = verb - 1
         node = tree.nodes[verb]
         led = tree.nodes[to].lower == "to" and tree.nodes[to].head == verb and node.tag == "VB"

@@ -1,11 +1,9 @@
 """What is named with its time, and done with behind that: "gas bottles one o'clock swap them"."""
 
-from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.sentence.trees.named import TOPIC
-from fuzzytime.language.sentence.trees.tags import DETERMINERS
-from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.trees.tree import Tree
 
 NAMING = ("NN", "JJ", "DT", "PRP$", "POS", "CD", "IN")
 """How tags begin of the words of a thing's name."""
@@ -44,15 +42,5 @@ def _is_about(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     # "Dentist at four cancel it"
     moved = lexicon.doing.revoking | lexicon.doing.dropping | (lexicon.moving if event else frozenset())
     thing = len(named) == 1 or (bool(named) and all(one.tag.startswith(NAMING) for one in named))
-    # "Feed the cat at six brush it" asks for both.
-    thing = thing and not _is_done(named, lexicon.orders | lexicon.chores, apart=apart)
     named_so = thing and (named[-1].may_name or not named[-1].may_act)
     return named_so and set(range(first, before + 1)) <= timed and node.lower not in moved
-
-
-def _is_done(named: Sequence[Node], orders: AbstractSet[str], *, apart: bool) -> bool:
-    """Whether words begin with what is done with the rest: "open the vents", "sow carrots at ten, …"."""
-    first, further = named[0], named[1:2]
-    led = first.may_act and any(one.tag in DETERMINERS or apart for one in further)
-    verb = first.is_verb and (bool(further) or not first.may_name)
-    return led or verb or (first.lower in orders and bool(further))

@@ -5,7 +5,6 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.understood.minutes_of_steps import MARKS
 from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.calendar import is_weekday
 from fuzzytime.language.meaning.expressions import (
@@ -151,7 +150,7 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int]) -> Ph
     if start >= len(scanned.words):
         return None
     waits = marker[-1] in lexicon.doing.waiting and start == place + len(marker)
-    if waits and ("duration" in scanned.cells[start] or _is_timed(scanned, start)):
+    if waits and "duration" in scanned.cells[start]:
         # "Heat it at eight, wait three minutes"; but "at eight, wait, nine"
         return None
     left_out = {word.text for word in scanned.words[place:start]} <= lexicon.beside.denying_weekdays
@@ -179,11 +178,6 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int]) -> Ph
                 span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
                 return Phrase(said, piece.start, piece.end, span, "correction")
     return None
-
-
-def _is_timed(scanned: Scanned, place: int) -> bool:
-    """Whether a number is how many minutes are waited in a list: "stir 3, wait 10, stir 3"."""
-    return any(word.text in MARKS.values() for word in scanned.words[place + 1 : place + 2])
 
 
 def _are_weekdays(scanned: Scanned, place: int) -> bool:

@@ -7,11 +7,8 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import blanked
 from fuzzytime.language.sentence.segments.segment import ENDS, Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import FINITE, SUBJECTS
 from fuzzytime.requirement import Constraint
-
-TOLD = frozenset({"VBZ", "VBP", "VBD", "MD"})
-"""Tags of what is so."""
 
 LEAST = 3
 """Words of "lunch is at one", at least, before its time."""
@@ -73,7 +70,7 @@ def reason_in_front(one: Waiting, part: Part) -> list[Segment]:
         for place, node in enumerate(tree.nodes)
     ]
     told = any(
-        not finite[place].isdisjoint(TOLD) and tree.children(place, *SUBJECTS)
+        not finite[place].isdisjoint(FINITE) and tree.children(place, *SUBJECTS)
         for place, node in enumerate(tree.nodes)
         if first <= node.start + (part.offset if part.front is None else one.segment.span[0]) < end
     )

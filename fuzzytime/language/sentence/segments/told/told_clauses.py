@@ -8,7 +8,6 @@ from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.sentence.segments.segment import ENDS
 
 LONGEST_NAME = 3
 """Words of who is told, at most: "my big sister", "mum and dad"."""
@@ -142,7 +141,5 @@ def _finite(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:
             return here
         known = text in closed.noun_openers | closed.told_joints
         if not known and (text in lexicon.function_words or not words[here].is_letters):
-            return None
-        if text in ENDS:
             return None
     return None

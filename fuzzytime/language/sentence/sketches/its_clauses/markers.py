@@ -26,7 +26,6 @@ class ClauseMarkers:
             or is_wish(self.tree, self.words[place:])
             or self._inquires(place, form)
             or self._marks(place, form)
-            or self._is_any_time(place, form)
             or self._is_of_verb(place)
             or self._counts(place, form)
         )
@@ -39,12 +38,6 @@ class ClauseMarkers:
         end = next((p for p in range(end, len(self.words)) if p not in self.covered), len(self.words))
         behind = {word.text for word in self.words[end : end + 1]}
         return behind <= self.lexicon.closed.additions | self.lexicon.beside.polite_ends
-
-    def _is_any_time(self, place: int, form: tuple[str, ...]) -> bool:
-        """Whether it is any time of whatever happens: "I don't have any time left"."""
-        behind = {word.text for word in self.words[place + len(form) : place + len(form) + 1]}
-        free = " ".join(form) in self.lexicon.beside.at_any_time
-        return free and behind.isdisjoint(self.lexicon.closed.condition_openers)
 
     def _is_of_verb(self, place: int) -> bool:
         """Whether it belongs to the verb right before it: "look after the baby"."""

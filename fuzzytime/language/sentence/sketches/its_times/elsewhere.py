@@ -45,7 +45,7 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, *, told: bo
         before, past = past, _done_before(part, phrase, place, action)
         # Of two times behind what was done the second says when: "call the man who rang at six at seven".
         described = past is not None and past != before
-        of_told = said is not None and place > said and not is_of_telling(part, phrase, action, said)
+        of_told = said is not None and place > said and not is_of_telling(part, phrase, said)
         if described or of_told or _is_described(part, place, action):
             found.append(phrase)
     return found

@@ -119,14 +119,10 @@ class _Things:
     def _is_joined(self, phrase: Phrase, place: int) -> bool:
         """Whether it is of what somebody comes to: "invite dad to dinner on sunday"."""
         doing = self.lexicon.doing
-        listed = self._is_listed()
-        joins = listed or not self.said.isdisjoint(doing.inviting)
+        joins = self._is_listed() or not self.said.isdisjoint(doing.inviting)
         dated = isinstance(phrase.said.time, (Wall, Range, Repeat))
         if not joins or not dated or phrase.said.constraint in BOUNDS:
             return False
-        if listed:
-            # "Put me on the waiting list for saturday"
-            return phrase.said.preposition == "for"
         part = phrase.said.wall.part
         if self.nodes[place + 1].lower == "for" and part is not None and part.meal:
             # "Invite Tom for tea tonight"

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 
-from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat
+from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, Action
 
@@ -37,11 +37,8 @@ def told_from(part: Part, action: Action, timed: Collection[int]) -> int | None:
     return _said_from(part, action.place + 2, timed)
 
 
-def is_of_telling(part: Part, phrase: Phrase, action: Action, told: int) -> bool:
+def is_of_telling(part: Part, phrase: Phrase, told: int) -> bool:
     """Whether a time behind what is told is when it is told: "ask Sam to call me every day"."""
-    if part.tree.nodes[action.place].lemma in part.lexicon.doing.recalling:
-        # "Remind me what I said in ten minutes"
-        return isinstance(phrase.said.time, Offset)
     return isinstance(phrase.said.time, Repeat) and part.tree.nodes[told].lower == "to"
 
 

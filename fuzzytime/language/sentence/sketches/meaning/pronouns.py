@@ -148,12 +148,8 @@ def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anch
         if clause.span[0] < operation.span[0]:
             condition = clause.condition
             named = condition is not None and condition.subject not in pronouns.anaphors
-            thing = anchors.about(clause)
-            if thing is None and named:
-                thing = _changed(sketch, clause, operation, anchors)
-            if thing is not None and (
-                named or is_several(thing, anchors.lexicon) == (operation.object in pronouns.plural_anaphors)
-            ):
+            thing = _changed(sketch, clause, operation, anchors) if named else None
+            if thing is not None:
                 return thing
     return None
 

@@ -17,7 +17,8 @@ from fuzzytime.language.meaning.joined.intervals_on_days import is_interval
 from fuzzytime.language.meaning.joined.told_apart import ending_on
 from fuzzytime.language.meaning.phrases import is_window
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
-from fuzzytime.language.sentence.segments.drafts import Draft, Heading
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.heading import Heading
 from fuzzytime.language.sentence.segments.segment import JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.days.listed_days import heads_list

@@ -10,16 +10,17 @@ from datetime import timedelta
 
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Phrase, Wall, wall_of
-from fuzzytime.language.sentence.segments.drafts import Draft, Heading
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.heading import Heading
 from fuzzytime.language.sentence.together.days.titles import (
     APART,
     LONGEST,
     begins_order,
-    clocks_in,
     held,
     is_of_calendar,
     names_day,
 )
+from fuzzytime.language.sentence.together.days.windows import clocks_in
 from fuzzytime.requirement import Unit
 
 DAY_FIRST = re.compile(r"(?<![\d/])(?:1[3-9]|2\d|3[01])/(?:0?[1-9]|1[0-2])(?![\d/])")

@@ -9,19 +9,19 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.meaning.calendar import Fields, is_weekday
-from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Duration, Ending, Offset, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.joined.bounded_repeats import is_of_day
 from fuzzytime.language.meaning.joined.intervals_on_days import is_interval, on_days
 from fuzzytime.language.meaning.joined.repeats_beside import names_day_of, without_clocks
 from fuzzytime.language.meaning.joined.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.joined.told_apart import ending_on, told_apart
-from fuzzytime.language.meaning.times_of_day import NOON, Half, Part
+from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.together.days.below_headings import headings_of, under_heading
 from fuzzytime.language.sentence.together.days.listed_days import listed_below_day
+from fuzzytime.language.sentence.together.days.mornings_after import is_morning_after, part_before
 from fuzzytime.requirement import BOUNDS, Constraint, Unit
 
 WHY = frozenset({",", "-", "–", ":"})
@@ -280,34 +280,3 @@ def _day_beside(before: Sketch, sketch: Sketch, between: str) -> _Day | None:
     days = [said for said in days if (on := said.wall.days) is not None and on.grain is Unit.DAY]
     days = [said for said in days if said.constraint not in BOUNDS]
     return _Day(days[0]) if len(days) == 1 else None
-
-
-def is_morning_after(said: Said, before: Part) -> bool:
-    """Whether it is in a morning, without its day, behind a part of the day that was said before.
-
-    "Pack tonight, leave at five am"
-    """
-    part, clock = said.wall.part, said.wall.clock
-    if said.wall.days is not None:
-        return False
-    if part is None:
-        return before.half.is_late and clock is not None and clock.half is Half.AM
-    return part.end <= NOON and (before.half.is_late or part.end <= before.start)
-
-
-def part_before(sketch: Sketch, said: Said) -> Part | None:
-    """Give the part of the day behind which a morning is; of what happens on a day to come, none.
-
-    "The party is tomorrow evening, buy drinks in the morning" is before it.
-    """
-    operation = sketch.operation
-    happens = operation is not None and operation.stated and said.wall.days not in {None, Relative(0)}
-    return None if happens else said.wall.part
-
-
-def follows_night(sketches: Sequence[Sketch], place: int) -> bool:
-    """Whether an instruction is in the morning behind the part of the day that was said last before it."""
-    before = ((one, phrase.said) for one in sketches[:place][::-1] for phrase in one.phrases[::-1])
-    said = (part_before(one, said) for one, said in before)
-    last = next((part for part in said if part is not None), None)
-    return last is not None and any(is_morning_after(one.said, last) for one in sketches[place].phrases)

@@ -9,7 +9,8 @@ from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall, wall_
 from fuzzytime.language.meaning.joined.told_apart import told_apart
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.meaning.times_of_day import Clock
-from fuzzytime.language.sentence.segments.drafts import Draft, Heading
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.heading import Heading
 from fuzzytime.language.sentence.segments.lists.heads import is_meal
 from fuzzytime.language.sentence.segments.lists.things_needed import is_marked
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
@@ -25,7 +26,6 @@ from fuzzytime.language.sentence.together.days.periods_above import (
 from fuzzytime.language.sentence.together.days.titles import (
     LONGEST,
     begins_order,
-    clocks_in,
     held,
     hours_of,
     is_of_calendar,
@@ -33,6 +33,7 @@ from fuzzytime.language.sentence.together.days.titles import (
     names_day,
     title_of,
 )
+from fuzzytime.language.sentence.together.days.windows import clocks_in
 
 DISTANCE = 4
 """Words of such a length at most: "three to four weeks"."""

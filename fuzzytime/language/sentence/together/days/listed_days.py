@@ -9,11 +9,9 @@ from fuzzytime.language.sentence.references.meals import names_meal
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, are_steps
+from fuzzytime.language.sentence.trees.tags import FINITE
 from fuzzytime.language.sentence.verbs.without_verbs.happenings import is_typed
 from fuzzytime.language.sentence.verbs.without_verbs.named_alone import named_alone
-
-TOLD = frozenset({"VBZ", "VBP", "VBD", "MD"})
-"""Tags of what says how something is: "the golf is in first, then …"."""
 
 HEADS = (":", "- ", "– ", "— ")
 """What stands behind a day that heads a list."""
@@ -63,7 +61,7 @@ def things_alone(sketches: Sequence[Sketch], draft: Draft, apart: str, *, headed
     led = [sketch.part.segment.connective == "then" for sketch in sketches[:2]] == [False, True]
     for sketch in sketches:
         then = sketch.part.segment.connective == "then"
-        leads = led and not found and not any(node.tag in TOLD for node in sketch.part.tree.nodes)
+        leads = led and not found and not any(node.tag in FINITE for node in sketch.part.tree.nodes)
         chained = leads or (bool(found) and _is_named(found[-1]))
         chained = leads or (chained and (then or are_steps(found[-1], sketch, text, apart)))
         # "Mrs Patel at ten, the twins at half ten"

@@ -8,7 +8,8 @@ from fuzzytime.language.meaning.calendar import Calendar, is_weekday
 from fuzzytime.language.meaning.days.nested import Within
 from fuzzytime.language.meaning.days.relations import Deictic, Which
 from fuzzytime.language.meaning.expressions import Phrase, Range, Said, Wall, wall_of
-from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.heading import HEADED, Heading
 from fuzzytime.language.sentence.together.days.titles import begins_order
 from fuzzytime.requirement import Unit
 

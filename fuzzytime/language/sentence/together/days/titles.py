@@ -3,22 +3,20 @@
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
-from datetime import timedelta
 from itertools import pairwise
 
-from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Phrase, Range, Repeat, Said, Wall, wall_of
-from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.phrases import is_window
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
-from fuzzytime.language.policy import Policy
-from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
+from fuzzytime.language.meaning.times_of_day import Clock, Half
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.heading import HEADED, Heading
 from fuzzytime.language.sentence.segments.lists.things_needed import is_marked
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import sketch_of
+from fuzzytime.language.sentence.together.days.windows import clocks_in, is_within
 from fuzzytime.language.sentence.verbs.without_verbs.named_deeds import names_deed
 
 FEWEST = 3
@@ -69,7 +67,7 @@ def title_of(drafts: Sequence[Draft]) -> Heading | None:
         return Heading(name_of(first), first.text, first.scanned) if alone else None
     (time,) = first.phrases
     if is_window(time):
-        within = sum(_is_within(found, time, first, first.lexicon.policy) for found in clocks)
+        within = sum(is_within(found, time, first, first.lexicon.policy) for found in clocks)
         most = 2 * within >= len(below) and FEW_DATED * (len(clocks) - within) <= len(clocks)
         named = most and _is_named(first, time)
     else:
@@ -118,10 +116,6 @@ def _night_of(first: Draft) -> Phrase | None:
     night = any(part.half is Half.NIGHT and part.start for part in named)
     if not night or begins_order(first):
         return None
-    windows = [phrase for phrase in first.phrases if is_window(phrase)]
-    if windows:
-        # "Night shift 10pm-6am" says no more than its hours.
-        return windows[0] if len(times) > 1 or not worked else None
     clocked = [time for time in times if isinstance(time, Wall) and time.clock is not None]
     if len(clocked) == len(times) == FROM_TO:
         return replace(first.phrases[0], said=Said(Range(*clocked)))
@@ -247,37 +241,6 @@ def _numbers_day(first: Draft, time: Phrase) -> bool:
 
 def _is_unit(word: str, lexicon: Lexicon) -> bool:
     return any(entry.category == "unit" for entry in lexicon.entries.get(word, ()))
-
-
-def clocks_in(draft: Draft) -> list[Clock]:
-    """Give the clock times of a line that name no day."""
-    times = [phrase.said.time for phrase in draft.phrases]
-    ends = [
-        end for time in times for end in ((time.first, time.last) if isinstance(time, Range) else (time,))
-    ]
-    return [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None and end.days is None]
-
-
-def _is_within(clocks: Sequence[Clock], window: Phrase, draft: Draft, policy: Policy) -> bool:
-    """Whether some clock times may all be meant in a window."""
-    bounds = window_of(window, draft, policy)
-    if bounds is None or draft.now is None:
-        return False
-    begins = draft.now + timedelta(seconds=bounds[0])
-    begin = begins.hour * 3600 + begins.minute * 60
-    length = bounds[1] - bounds[0]
-    return all(any((s - begin) % DAY_SECONDS <= length for s in clock.candidates()) for clock in clocks)
-
-
-def window_of(phrase: Phrase, draft: Draft, policy: Policy) -> tuple[float, float] | None:
-    """Give from when to when a phrase is, in seconds; None where it is no window within a day."""
-    if not is_window(phrase):
-        return None
-    for time in ground_all((phrase,), draft.text, Moment(draft.now, policy)).requirements:
-        first, last = time.earliest, time.latest
-        if first is not None and last is not None and 0 < last - first <= DAY_SECONDS:
-            return first, last
-    return None
 
 
 def name_of(draft: Draft) -> str:

@@ -7,8 +7,10 @@ from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.days.relations import Relative
 from fuzzytime.language.meaning.expressions import Phrase, Said, Wall
 from fuzzytime.language.meaning.grounded.chosen_clocks import EVENING
-from fuzzytime.language.sentence.segments.drafts import HEADED, Draft, Heading
-from fuzzytime.language.sentence.together.days.titles import clocks_in, shift_of
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.heading import HEADED, Heading
+from fuzzytime.language.sentence.together.days.titles import shift_of
+from fuzzytime.language.sentence.together.days.windows import clocks_in
 
 TOMORROW = Relative(1)
 NEXT_DAY = "tomorrow"

@@ -6,8 +6,7 @@ from dataclasses import replace
 from fuzzytime.english import looks_plural, singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
-from fuzzytime.language.meaning.expressions import Offset, Repeat, Said, Wall
-from fuzzytime.language.meaning.joined.distances import LATER
+from fuzzytime.language.meaning.expressions import Repeat, Said, Wall
 from fuzzytime.language.sentence.segments.other_cases import OTHER_CASE
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
@@ -62,7 +61,7 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
             return placed
     if not rest or before.object is None:
         return None
-    first = rest.split()[0] if _is_led_later(sketch, said[0]) else text[slice(*part.span(part.tree.nodes[0]))]
+    first = text[slice(*part.span(part.tree.nodes[0]))]
     return _with_another_thing(before, before.object, rest, first, sketch)
 
 
@@ -183,22 +182,9 @@ def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
         whole = says_where((before.object or "").lower(), lexicon)
         return replace(before, object=None if whole else before.object, place=rest, manner=None)
     led = rest.lower().split()[0]
-    if before.object is None:
-        # "Stop for a brew at ten and for lunch at noon"
-        return replace(before, place=rest) if [led] == (before.place or "").split()[:1] else None
-    # "Kids fed by six, in bed by eight"
-    there = before.due == "must be" and led in lexicon.beside.states
-    return replace(before, verb="be", lemma="be", due="must", place=rest) if there else None
-
-
-def _is_led_later(sketch: Sketch, said: Span) -> bool:
-    """Whether a distance from what was done before leads to a thing: "…, five minutes later the flour"."""
-    return any(
-        phrase.span[1] <= said[0]
-        and isinstance(phrase.said.time, Offset)
-        and phrase.said.preposition in {LATER, "after"}
-        for phrase in sketch.phrases
-    )
+    # "Stop for a brew at ten and for lunch at noon"
+    again = before.object is None and [led] == (before.place or "").split()[:1]
+    return replace(before, place=rest) if again else None
 
 
 def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:

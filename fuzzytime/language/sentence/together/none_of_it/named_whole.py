@@ -101,10 +101,8 @@ def _lists_things(name: str, draft: Draft) -> bool:
 
 
 def _orders(draft: Draft, start: int) -> bool:
-    """Whether the first word of a name is an order; what has a bracket behind it is none: "Snack (fruit)"."""
+    """Whether the first word of a name is an order."""
     words = [word for word in draft.scanned.words if word.start >= start]
-    if [word.text for word in words[1:2]] == ["("]:
-        return False
     if words and words[0].text in draft.lexicon.orders:
         return True
     nodes = (node for part in draft.parts for node in part.tree.nodes if node.start + part.offset == start)

@@ -11,9 +11,6 @@ from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint
 
-AND = frozenset({"and", "&"})
-"""Words that join what is denied to what may be asked for, too: a note says that it is not."""
-
 
 def told_again(before: Sketch, sketch: Sketch, draft: Draft) -> tuple[Sketch, Remark | None] | None:
     """Give an order with the time that is said of it anew, and what to say of its old one; None elsewhere.
@@ -98,7 +95,8 @@ def denied_together(sketches: Sequence[Sketch], text: str) -> tuple[list[Sketch]
             found[earlier] = found[earlier].under(denied.phrases, denied.clauses)
             if not found[earlier].denial:
                 break
-        if joint in AND:
+        if joint in sketch.lexicon.closed.additive_conjunctions:
+            # A note says that it is not asked for.
             span = sketch.part.segment.span
             remarks.append(
                 Remark.noted(text, span, "is taken as denied, too: what is to be done stands behind 'but'")
@@ -126,7 +124,7 @@ def _goes_on(before: Sketch, sketch: Sketch, joint: str) -> bool:
     if one is None or not one.negated or other is None or not sketch.asks or sketch.part is before.part:
         return False
     alternative = joint in lexicon.closed.denied_alternatives
-    if not (alternative or joint in AND) or segment.connective:
+    if not (alternative or joint in lexicon.closed.additive_conjunctions) or segment.connective:
         return False
     if sketch.heard and (before.heard or min(sketch.heard)[0] < other.span[0]):
         # "Don't water it today and water it tomorrow", "don't stir it, and at six serve it"

@@ -114,7 +114,7 @@ def _contrary(condition: Condition) -> Condition:
 
 def _held_behind(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     """Give orders what is said behind the last of them: a deadline, or a time that is said to be for all."""
-    found = [_without_all(sketch) for sketch in sketches]
+    found = list(sketches)
     for place, sketch in enumerate(sketches):
         shared = [p for p in sketch.phrases if _is_shared(p, sketch, text)]
         last = place + 1 == len(sketches) or _is_ended(sketch, sketches[place + 1], text)
@@ -182,15 +182,6 @@ def _is_verb_alone(sketch: Sketch, text: str) -> bool:
 def _follows(clause: Clause, sketch: Sketch) -> bool:
     """Whether a clause stands behind what is to be done."""
     return sketch.operation is not None and clause.span[0] > sketch.operation.span[0]
-
-
-def _without_all(sketch: Sketch) -> Sketch:
-    """Leave the word for all out of what the last order is about: "call Ann, then Bob, both before noon"."""
-    operation = sketch.operation
-    thing, _, word = (operation.object or "").rpartition(", ") if operation is not None else ("", "", "")
-    if operation is None or not thing or word.lower() not in sketch.lexicon.closed.universal_pronouns:
-        return sketch
-    return replace(sketch, operation=replace(operation, object=thing))
 
 
 def _is_shared(phrase: Phrase, sketch: Sketch, text: str) -> bool:

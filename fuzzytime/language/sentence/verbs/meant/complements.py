@@ -11,9 +11,6 @@ def complement(tree: Tree, place: int, lemma: str) -> int | None:
     """Give the verb below a verb, with "to" or as a gerund; "let us" has it bare."""
     for below in tree.children(place, *COMPLEMENTS):
         node = tree.nodes[below]
-        if node.tag == "VBG" and tree.nodes[below - 1].tag in {"DT", "PRP$"}:
-            # "Do the ironing" has it for a thing.
-            continue
         if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
             return below
         if lemma in tree.lexicon.doing.wishing and node.tag in {"VBN", "VBP"}:

@@ -16,8 +16,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
     """
     tree = _with_being(_with_got(_with_phase(tree, timed, travelling)), timed)
-    tree = _with_two(_with_done(tree), timed)
-    tree = with_plural(_with_subject(tree), timed)
+    tree = with_plural(_with_subject(_with_done(tree)), timed)
     root = tree.root
     if behind_particles(tree, root) not in timed:
         return tree
@@ -83,21 +82,6 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
     tree = tree.hung(range(verb), verb - 1, "compound").hung(behind, verb)
     tree = tree.changed(verb, tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT")
     return tree.changed(verb - 1, tag="NN", head=verb, relation="nsubj")
-
-
-def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
-    """Give "my flight lands at ten and immigration takes an hour" its first verb, taken for a plural."""
-    root = tree.root
-    for verb in tree.children(root, "nsubj") if tree.nodes[root].tag == "VBZ" else ():
-        named = plural_subject(tree, verb)
-        second = [p for p in tree.children(verb, "conj") if p > verb + 1 and tree.nodes[p].tag in SINGULAR]
-        told = tree.nodes[verb].tag == "NNS" and verb + 1 in timed and tree.nodes[verb].may_act
-        if not told or named is None or not second:
-            continue
-        tree = tree.hung(tree.children(verb, "det", "poss", "amod", "compound"), named)
-        tree = tree.changed(verb, tag="VBZ", relation="ccomp", lemma=singular_verb(tree.nodes[verb].lower))
-        return tree.changed(named, head=verb, relation="nsubj").hung(second[:1], root, "nsubj")
-    return tree
 
 
 def _with_subject(tree: Tree) -> Tree:

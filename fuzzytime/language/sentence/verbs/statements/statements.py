@@ -3,7 +3,7 @@
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.sentence.trees.named import calls_somebody
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, PRESENT, SINGULAR
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, NOUNS, PRESENT, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.language.sentence.verbs.statements.beside_orders import (
     BEFORE_ORDER,
@@ -13,9 +13,6 @@ from fuzzytime.language.sentence.verbs.statements.beside_orders import (
 )
 
 FINITE = frozenset({"VBZ", "VBP", "VBD", "VBG"})
-
-
-NOUNS = frozenset({"NN", "NNP", "NNS"})
 
 
 def behind_particles(tree: Tree, verb: int) -> int:

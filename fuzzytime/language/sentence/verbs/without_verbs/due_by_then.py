@@ -4,11 +4,10 @@ from collections.abc import Collection, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, PAST
+from fuzzytime.language.sentence.trees.tags import ALL_NOUNS, DETERMINERS, PAST
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
-NOUNS = frozenset({"NN", "NNS", "NNP", "NNPS"})
-NAMING = NOUNS | {"JJ", "CD", "PRP$", "POS"}
+NAMING = ALL_NOUNS | {"JJ", "CD", "PRP$", "POS"}
 """Tags of the words that name a thing."""
 
 HEADLINED = frozenset({"NN", "NNS"})
@@ -30,7 +29,8 @@ def due_by_then(
     """
     lexicon, nodes = tree.lexicon, tree.nodes
     whole = bool(nodes) and nodes[0].lower in lexicon.closed.universal_determiners and len(nodes) > 1
-    first = 1 if nodes and (nodes[0].tag in DETERMINERS or (whole and nodes[1].tag in NOUNS | PLURALS)) else 0
+    led = bool(nodes) and (nodes[0].tag in DETERMINERS or (whole and nodes[1].tag in ALL_NOUNS | PLURALS))
+    first = int(led)
     end = next((place for place in range(first, len(nodes)) if place in timed), len(nodes))
     rest = (place for place in range(end, len(nodes)) if nodes[place].relation != "punct")
     if end not in timed or any(place not in timed for place in rest):
@@ -83,7 +83,7 @@ def is_thing_so(tree: Tree, timed: Collection[int]) -> bool:
     root, nodes = tree.root, tree.nodes
     led = [p for p in tree.children(root, "compound") if p < root]
     done = root + 2 in timed and nodes[root + 1].tag == "VBN"
-    return done and nodes[root].tag in NOUNS and led == [*range(root)] != []
+    return done and nodes[root].tag in ALL_NOUNS and led == [*range(root)] != []
 
 
 def _state(nodes: Sequence[Node], lexicon: Lexicon, *, listed: bool) -> int:

@@ -7,7 +7,7 @@ behind such a name stands its time alone.
 from collections.abc import Collection, Sequence
 
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range
 from fuzzytime.language.meaning.phrases import is_at_clock
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
@@ -101,10 +101,8 @@ def _tells_when(phrase: Phrase) -> bool:
 
 
 def _is_clocked(phrase: Phrase) -> bool:
-    """Whether a time has its hour, or is from one to another, or so long from a part of the day."""
+    """Whether a time has its hour, or is from one to another."""
     time = phrase.said.time
-    if isinstance(time, Offset) and isinstance(time.anchor, Wall):
-        return time.anchor.is_timed
     return isinstance(time, Range) or phrase.said.wall.clock is not None
 
 
