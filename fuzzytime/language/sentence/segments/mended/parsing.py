@@ -33,7 +33,7 @@ from fuzzytime.language.sentence.segments.mended.said_to_be import (
 from fuzzytime.language.sentence.segments.mended.topics import with_topic
 from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, is_done_alone, is_numbered
 from fuzzytime.language.sentence.segments.waiting import Waiting
-from fuzzytime.language.sentence.trees.named import names_one
+from fuzzytime.language.sentence.trees.named import is_none, names_one
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.meant.actions import action_of, gone_to_do, is_doubtful
@@ -94,7 +94,8 @@ def _mended(one: Waiting, tree: Tree) -> Tree:
     """Give a tree with what its model overlooks; where all words are of its time, it is empty."""
     if not tree.nodes:
         return tree
-    tree, timed = as_somewhere(tree), one.timed(tree)
+    timed = one.timed(tree)
+    tree = as_somewhere(tree, timed)
     tree = with_topic(with_what_is_said(with_doer_in_front(tree)), timed)
     tree = with_joined(as_thing(tree, timed), timed)
     tree = with_thing_before_time(with_her(with_bare_thing(with_whole_things(tree), timed), timed), timed)
@@ -125,7 +126,7 @@ def _is_astray(one: Waiting, tree: Tree) -> bool:
     timed = one.timed(tree)
     end = min(timed, default=0)
     named = tree.root == end - 1 and not tree.children(tree.root, "dobj")
-    if named and names_one(tree.nodes[:end], one.lexicon):
+    if (named and names_one(tree.nodes[:end], one.lexicon)) or is_none(tree, tree.root):
         return False
     if one.phrases and happens(tree, one.phrases):
         return may_be_ordered(tree) or begins_order(tree)

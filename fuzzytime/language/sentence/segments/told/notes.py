@@ -25,7 +25,8 @@ LONGEST = 4
 def notes_of(scanned: Scanned) -> Iterator[Span]:
     """Give the stretches that are noted behind what is named: brackets, and what there is not to be.
 
-    The brackets begin with an order, or tell how something is, and have no time.
+    The brackets begin with an order, or tell how something is, or end an entry behind its time; they have no
+    time of their own.
     """
     yield from _bracketed(scanned)
     words, ends = scanned.words, ENDS | {","}
@@ -60,8 +61,21 @@ def _bracketed(scanned: Scanned) -> Iterator[Span]:
         inside = words[place + 1 : end]
         span = (word.start, words[min(end, len(words) - 1)].end)
         noted = asks_for_deed(inside, scanned.lexicon) or _tells(inside, scanned.lexicon)
+        ends = all(one.text in ENDS for one in words[end + 1 : end + 2])
+        behind = any(phrase.end <= place for phrase in phrases)
+        noted = noted or (behind and ends and _adds(inside, scanned.lexicon))
         if noted and not any(overlap(one.span, span) for one in phrases):
             yield span
+
+
+def _adds(inside: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words in brackets only add something: "booked", "half a tin"; but "if it's dry", "not Ann"."""
+    first = inside[0].text if inside else ""
+    known = lexicon.closed.joints_of_orders | lexicon.closed.negators | lexicon.closed.alternatives
+    case = bool(inside) and longest_match(inside, 0, lexicon.clauses) is not None
+    # "Dentist at nine (Tom)"
+    called = bool(inside) and inside[0].capital
+    return first.isalnum() and first not in known and not (case or called)
 
 
 def _tells(inside: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -3,19 +3,22 @@
 It is told apart from what stands before it, which trees take together with it.
 """
 
+from collections.abc import Sequence
+
 from fuzzytime.english import is_participle
-from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.instruction import blanked
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.phrases import places_in
 from fuzzytime.language.sentence.segments.told.asides_of_hours import before_in_sentence
-from fuzzytime.language.sentence.segments.told.asides_of_needs import MARKS
-from fuzzytime.requirement import MOMENTS, Constraint
+from fuzzytime.language.sentence.segments.told.asides_of_needs import MARKS, said_of
+from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
 
 APART = ";"
 """The mark in front of what is told apart, in place of its bracket."""
 
-STOP, IS = ".", ("'s", "’s")
+STOP, IS, NO = ".", ("'s", "’s"), "no"
 LONGEST = 4
 """Words of "my best blue shirt" at most."""
 
@@ -26,8 +29,10 @@ def with_told_apart(scanned: Scanned) -> str:
     ended = lexicon.beside.ended - lexicon.particles.keys()
     places = [p for p in range(2, len(words)) if words[p].text in ended or _needs_deed(scanned, p)]
     is_then = [p for p in range(1, len(words) - 1) if words[p].text.endswith(IS)]
-    phrases = phrases_of(scanned) if places or is_then else ()
+    denied = [p for p in range(2, len(words)) if words[p].text == NO and words[p - 1].text in MARKS]
+    phrases = phrases_of(scanned) if places or is_then or denied else ()
     stops = [phrase.end for phrase in phrases if _is_of_day(scanned, phrase)]
+    stops += [place - 1 for place in denied if _denies(scanned, place, phrases)]
     timed = places_in(phrases)
     ends = {p.first: p.end for p in phrases if p.said.constraint in {Constraint.BEFORE, *MOMENTS}}
     for place in places:
@@ -46,7 +51,8 @@ def with_told_apart(scanned: Scanned) -> str:
 def with_brackets_apart(scanned: Scanned) -> str:
     """Give a text of the same length where brackets with an hour of their own are told apart.
 
-    So they are behind what has its hour: "party at eight (doors open at 7:30)"; but "party (at eight)".
+    So they are behind what has its hour: "party at eight (doors open at 7:30)"; but "party (at eight)", where
+    only what leads to the hour is left out: "party (it's at eight)".
     """
     words, text = scanned.words, scanned.text
     opened = [place for place, word in enumerate(words) if word.text == "("] if ")" in text else []
@@ -61,7 +67,16 @@ def with_brackets_apart(scanned: Scanned) -> str:
         if named and own and before and first not in scanned.lexicon.function_words:
             inside = text[words[place].end : words[end].start]
             text = f"{text[: words[place].start]}{APART}{inside} {text[words[end].end :]}"
+        elif not before and named and _lead_to_hour(named, scanned.lexicon):
+            text = blanked(text, [(words[place + 1].start, words[place + len(named)].end)])
     return text
+
+
+def _lead_to_hour(said: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether words only say that something is, or begins, before they say when: "it's", "starts"."""
+    being = {*said_of(said, lexicon.closed.anaphors)}
+    begins = {word for word in lexicon.doing.surely_timed if lexicon.indicators.get(word) == "start"}
+    return bool(being and being <= lexicon.asides["being needed"]) or {*said} <= begins
 
 
 def _says_hour(phrase: Phrase) -> bool:
@@ -74,6 +89,21 @@ def _is_of_day(scanned: Scanned, phrase: Phrase) -> bool:
     words, joints = scanned.words, scanned.lexicon.closed.joints_of_orders | {"so"}
     told = phrase.said.is_day and phrase.first > 1 and words[phrase.first - 1].text.endswith(IS)
     return told and phrase.end < len(words) - 1 and words[phrase.end].text in joints
+
+
+def _denies(scanned: Scanned, place: int, phrases: Sequence[Phrase]) -> bool:
+    """Whether "no" denies what is named behind it, up to its time: "…, no walks on sundays".
+
+    What stands before it has a time, or that one is a bound: but "a coffee, no sugar, at eight".
+    """
+    first = place - len(before_in_sentence(scanned.words, place))
+    timed = any(first <= phrase.first and phrase.end <= place - 1 for phrase in phrases)
+    behind = next((phrase for phrase in phrases if phrase.first > place), None)
+    if behind is None or not (timed or behind.said.constraint in BOUNDS):
+        return False
+    named = [word.text for word in scanned.words[place + 1 : behind.first]]
+    known = scanned.lexicon.function_words.isdisjoint(named)
+    return 0 < len(named) < LONGEST and known and all(map(str.isalpha, named))
 
 
 def _mark_of_end(scanned: Scanned, place: int, end: int) -> int:

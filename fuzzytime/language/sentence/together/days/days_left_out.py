@@ -7,10 +7,13 @@ on sundays", "…, skip weekends".
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.english import singular
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
 from fuzzytime.language.meaning.joined.weekdays_left_out import weekdays_in, without_weekdays
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.tree import Node
 
 
 def without_days_left_out(sketch: Sketch) -> Sketch:
@@ -48,6 +51,9 @@ def _left_out(before: Sketch, sketch: Sketch) -> tuple[Phrase, ...]:
     if not sketch.phrases or sketch.clauses:
         return ()
     operation = sketch.operation
+    if before.repeats and _names_again(before, sketch):
+        # "Walk the dog every day, no walks on sundays"
+        return _denied(sketch)
     if operation is None:
         alone = all(phrase.said.denied for phrase in sketch.phrases) and _says_no_more(sketch)
         return sketch.phrases if alone else ()
@@ -80,12 +86,23 @@ def _is_denied_again(before: Sketch, operation: Operation) -> bool:
     return not thing or thing in before.lexicon.closed.all_anaphors or operation.object == first.object
 
 
+def _names_again(before: Sketch, sketch: Sketch) -> bool:
+    """Whether it is denied, by its name, what was asked for right before it, on some weekdays."""
+    first, (no, *named) = before.operation, [node.lower for node in _beside_times(sketch)] or [""]
+    if first is None or no != "no" or not all(weekdays_in(phrase.said.time) for phrase in sketch.phrases):
+        return False
+    asked = {first.lemma, first.verb, *content_words(first.object)}
+    return bool(named) and all(not asked.isdisjoint({word, singular(word)}) for word in named)
+
+
 def _says_no_more(sketch: Sketch) -> bool:
     """Whether nothing but small words stands beside times."""
-    part = sketch.part
-    for node in part.tree.nodes:
-        span = part.span(node)
-        timed = any(overlap(span, phrase.span) for phrase in sketch.phrases)
-        if not timed and node.text.isalpha() and node.lower not in sketch.lexicon.beside.around_denials:
-            return False
-    return True
+    small = sketch.lexicon.beside.around_denials
+    return all(node.lower in small for node in _beside_times(sketch))
+
+
+def _beside_times(sketch: Sketch) -> list[Node]:
+    """Give the words of a sketch that are in none of its times."""
+    part, times = sketch.part, [phrase.span for phrase in sketch.phrases]
+    words = (node for node in part.tree.nodes if node.text.isalpha())
+    return [node for node in words if not any(overlap(part.span(node), span) for span in times)]

@@ -50,6 +50,7 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     if (then or part.segment.verbless) and counted is not None:
         return counted
     goes_on = any(_goes_on(phrase.said) for phrase in sketch.phrases)
+    goes_on = goes_on and not _follows_length(text[: before.span[0]], lexicon)
     opener = rest.partition(" ")[0]
     thing = opener.lower() in closed.noun_openers or f" {opener} " in (before.object or "")
     if then and sketch.phrases and (not rest or (goes_on and not thing)):
@@ -213,6 +214,11 @@ def _valued_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
 def _goes_on(said: Said) -> bool:
     """Whether the same goes on with it: "then for five minutes on high", "then every hour"."""
     return said.constraint is Constraint.FOR or isinstance(said.time, Repeat)
+
+
+def _follows_length(text: str, lexicon: Lexicon) -> bool:
+    """Whether what follows a text is named behind how long it goes on: "20 min | run, then 10 min abs"."""
+    return any(lexicon.means(word.lower(), "unit") for word in text.split()[-1:])
 
 
 def _is_next_numbered(before: Operation, sketch: Sketch) -> bool:

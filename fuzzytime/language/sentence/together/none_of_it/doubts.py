@@ -13,6 +13,7 @@ from fuzzytime.language.sentence.together.none_of_it.again_before import repeats
 from fuzzytime.language.sentence.together.none_of_it.how_things_are import holds_true, tells_how_things_are
 from fuzzytime.language.sentence.together.none_of_it.orders_again import is_about_orders
 from fuzzytime.language.sentence.together.none_of_it.what_was import has_done, tells_what_was
+from fuzzytime.language.sentence.trees.named import is_none
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Constraint
@@ -90,7 +91,7 @@ def _tells(sketch: Sketch) -> str | None:
     denied = [p for p in subjects if tree.nodes[p].lower in closed.negative_pronouns or _is_no_one(tree, p)]
     if denied:
         return "what nobody does"
-    if _is_denied(tree, root):
+    if is_none(tree, root):
         return "what is not to be"
     if tells_what_was(sketch):
         return "what was"
@@ -109,15 +110,6 @@ def _is_cancelled(sketch: Sketch) -> bool:
     called = f"{node.lower} {tree.nodes[root + 1].lower}" if root + 1 < len(tree.nodes) else ""
     off = {" ".join(form) for form in sketch.lexicon.conversation["cancelled"]}
     return node.tag == "VBN" and told and named and not due and not off.isdisjoint({node.lower, called})
-
-
-def _is_denied(tree: Tree, root: int) -> bool:
-    """Whether nothing is to be: "no calls between twelve and one", "there is no school on friday"."""
-    named = [root]
-    if tree.children(root, "expl") and not any(tree.nodes[p].tag == "VB" for p in tree.below(root)):
-        # "There is no need to call" is no more than that.
-        named += tree.children(root, "attr")
-    return any(tree.nodes[p].lower == "no" and p < noun for noun in named for p in tree.children(noun, "det"))
 
 
 def _is_no_one(tree: Tree, place: int) -> bool:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from fuzzytime.language.sentence.trees.named import is_shut
 from fuzzytime.language.sentence.trees.tags import PRESENT, SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, passes_on
 from fuzzytime.language.sentence.verbs.places import Places
@@ -142,6 +143,14 @@ class Stated(Places):
             and not so.isdisjoint(self.lexicon.standing)
         )
 
+    def _is_shut(self, verb: int, helping: set[str]) -> bool:
+        """Whether nobody can go somewhere then, which nobody is asked to close: "school closed friday"."""
+        named = self.tree.children(verb, *SUBJECTS)
+        timed = self.tree.said(p for p in self.tree.children(verb) if self.timed(p))
+        if not named or helping or not timed or "by" in timed:
+            return False
+        return is_shut(self.tree.nodes[named[0]], self.tree.nodes[verb], self.lexicon)
+
     def _has_then(self, verb: int) -> bool:
         """Whether who speaks has something: "we have visitors at eight", "I'm expecting a parcel at ten".
 
@@ -239,6 +248,8 @@ class Stated(Places):
             # "It should take an hour", "they need twenty minutes"
             objects = self.tree.children(verb, "dobj", "npadvmod")
             return bool(subjects) and subjects[0] not in closed.sure_persons and any(map(self.timed, objects))
+        if self._is_shut(verb, helping):
+            return True
         return self._is_standing(verb) or (told and finite and not self._done_to(verb, helping))
 
     def _comes_later(self, verb: int, helping: set[str]) -> bool:

@@ -107,7 +107,12 @@ def _with_done(tree: Tree) -> Tree:
     taken = [p for p in tree.children(root, "auxpass") if p == root - 1 == 0 and nodes[p].tag == "VB"]
     if nodes[root].tag == "VBN" and taken and nodes[0].lemma not in tree.lexicon.causing:
         return tree.changed(0, tag="NN", relation="nsubjpass")
-    named = [p for p in tree.children(root, "nsubj") if p == root - 1 and nodes[p].tag in {"NN", "NNS"}]
+    sites = tree.lexicon.beside.sites
+    named = [
+        p
+        for p in tree.children(root, "nsubj")
+        if p == root - 1 and (nodes[p].tag in {"NN", "NNS"} or nodes[p].lower in sites)
+    ]
     so = nodes[root].lower in tree.lexicon.standing | tree.lexicon.results
     if nodes[root].tag == "VBD" and so and named and not tree.children(named[0], "det", "poss"):
         return tree.changed(root, tag="VBN")

@@ -4,6 +4,7 @@ from collections.abc import Collection, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.trees.named import is_shut
 from fuzzytime.language.sentence.trees.tags import ALL_NOUNS, DETERMINERS, PAST
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
@@ -48,8 +49,12 @@ def due_by_then(
     span = (nodes[state].start, nodes[end - 1].end)
     if nodes[state].tag in PAST:
         within = all(node.tag in NAMING | {"IN", "DT"} for node in nodes[first + 1 : state])
-        lemma = nodes[state].lemma
-        return Operation(verb=said, lemma=lemma, span=span, object=thing, due="must be") if within else None
+        told = nodes[end].lower != "by" and is_shut(nodes[state - 1], nodes[state], lexicon)
+        due_now = None if told else "must be"
+        done = Operation(
+            verb=said, lemma=nodes[state].lemma, span=span, object=thing, due=due_now, stated=told
+        )
+        return done if within else None
     again = lexicon.closed.adverbs_of_repetition
     behind = [node for node in nodes[state + 1 : end] if node.lower not in again]
     named = all(node.tag in NAMING | DETERMINERS | {"IN"} for node in behind)

@@ -39,6 +39,9 @@ def named_alone(
     beside its hour in an ``entry`` of a timetable names something in any words: "18:25 the half".
     """
     said = _said(tree, heard)
+    there = _with_aim(tree, said)
+    if there is not None:
+        return there
     nodes = [tree.nodes[place] for place in said]
     named = entry or all(_is_inside(tree, place) for place in said)
     if not nodes or not named or _denies(tree, nodes):
@@ -57,6 +60,19 @@ def named_alone(
     if not heads or not (opened or nodes[0].tag.startswith((*FIRST, "VB"))) or not _is_noun(heads[0]):
         return None
     return Operation(verb=name, lemma=heads[0].lemma, span=span)
+
+
+def _with_aim(tree: Tree, said: Sequence[int]) -> Operation | None:
+    """Give where somebody is to be, and what for: "up at five to pack"; None where both are not said."""
+    nodes = tree.nodes
+    aim = next((p for p in said if nodes[p].lower == "to" and nodes[p].head == p + 1), None)
+    there = [place for place in said if aim is not None and place < aim]
+    if aim is None or len(there) != 1 or not _is_where(tree, [nodes[there[0]]]) or nodes[aim + 1].tag != "VB":
+        return None
+    first = nodes[there[0]]
+    purpose = tree.typed([place for place in said if place >= aim])
+    span = (first.start, first.end)
+    return Operation(verb="be", lemma="be", span=span, place=first.lower, purpose=purpose)
 
 
 def _said(tree: Tree, heard: Collection[int]) -> list[int]:
