@@ -12,7 +12,7 @@ from functools import lru_cache
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging.judging import Judge
 from fuzzytime.language.grammar.judging.run_on_hours import typed_apart
-from fuzzytime.language.grammar.judging.walls.dated_entries import sure_in_front
+from fuzzytime.language.grammar.judging.walls.dated_entries import beside_name, sure_in_front
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.surroundings.surroundings import Surroundings
@@ -49,6 +49,19 @@ COMMA = -0.05
 ROUNDS = 6
 """How often the best pieces are chosen anew because the judge refused some of them."""
 
+
+UNDERSTOOD = (
+    in_minutes,
+    lasting_on_day,
+    going_on,
+    clock_of_alarm,
+    gone_by,
+    due_then,
+    waited,
+    moved_to,
+    appointed,
+)
+"""What gives a time as it is understood by what stands around it, in the order of their reading."""
 
 REMEMBERED = 64
 """Texts that are kept as they were scanned: one is looked at for all that it may be. They may be long."""
@@ -157,18 +170,11 @@ def phrases_of(scanned: Scanned) -> tuple[Phrase, ...]:
         for phrase in read
         for one in (one_by_one(phrase, scanned.words, lexicon) if phrase.said.listed else (phrase,))
     ]
-    found = [sure_in_front(phrase, scanned.words, lexicon) for phrase in found]
+    found = [beside_name(sure_in_front(one, scanned.words, lexicon), scanned.words, lexicon) for one in found]
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words, lexicon)
-    found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
-    found = [
-        going_on(lasting_on_day(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found
-    ]
-    found = [
-        gone_by(clock_of_alarm(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found
-    ]
-    found = [waited(due_then(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
-    found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
+    for understood in UNDERSTOOD:
+        found = [understood(phrase, scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):
         found[place] = in_half(found[place], found[place + 1], scanned.words, lexicon)
     return tuple(found)

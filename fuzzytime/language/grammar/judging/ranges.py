@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.english import singular
+from fuzzytime.english import looks_plural, singular
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.meaning.calendar import Fields
@@ -13,6 +13,8 @@ EARLY = 3600
 
 TIMES = frozenset({"x", "×"})
 """What stands between how many there are and what they are: "2 x aspirin"."""
+
+ONE = frozenset({"1", "one"})
 
 HOURS_OF_DAY = frozenset({"ranges.hours_of_day", "ranges.hours_of_date"})
 """The rules of two numbers behind a day: "on friday 9-5"."""
@@ -113,22 +115,25 @@ class Ranges(Standing):
         """Whether a dash stands in front, between a clock time and the meal then: "12:00 - lunch".
 
         So do two hours from when to when, which are no date: "@12-1 lunch". A number in words behind an
-        hour as typed counts what is then: "7:30 pm - one can of food".
+        hour as typed counts what is then, "7:30 pm - one can of food", as does a number of things.
         """
         if not isinstance(time, Range):
             dated = isinstance(time, Wall) and time.days is not None and time.part is not None
             return dated and self.texts[piece.start] == "@" and "-" in self.texts[piece.start : piece.end]
         # The last of two: "8:00 -- Breakfast"
         dash = next((p for p in range(piece.end - 1, piece.start, -1) if self.texts[p] == "-"), None)
-        if dash is None or self.words[dash + 1].glued or not self.around.opens(piece.start):
-            return False
         first, last = time.first, time.last
+        if dash is None or self.words[dash + 1].glued:
+            return False
         if not isinstance(first, Wall) or not isinstance(last, Wall) or first.clock is None:
             return False
-        if last.bare and not first.bare:
+        counted = last.bare and not first.bare and piece.end == dash + 2
+        if counted and self._counts_things(piece):
+            return True
+        if counted or not self.around.opens(piece.start):
             typed = any(word.is_digits for word in self.words[piece.start : dash])
-            spelled = self.words[piece.end - 1].is_letters
-            return typed and spelled and piece.end == dash + 2 and self.around.follower(piece) != ""
+            spelled = self.words[piece.end - 1].is_letters and self.around.follower(piece) != ""
+            return counted and typed and spelled and self.around.opens(piece.start)
         meal = last.part if last.clock is None else None
         # "10am - lunch" is until then.
         return (
@@ -136,6 +141,13 @@ class Ranges(Standing):
             and meal.meal
             and any(seconds > meal.start - EARLY for seconds in first.clock.candidates())
         )
+
+    def _counts_things(self, piece: Piece) -> bool:
+        """Whether the last number counts what is taken then: "8am - 2 tablets"; but "9am - 2 meetings"."""
+        number, thing, lexicon = self.texts[piece.end - 1], self.around.follower(piece), self.lexicon
+        several = looks_plural(thing) if number not in ONE else thing not in lexicon.chores | lexicon.lasting
+        known = lexicon.happening | lexicon.taken | lexicon.function_words | lexicon.orders
+        return several and thing.isalpha() and known.isdisjoint({thing, singular(thing)})
 
     def _binds(self, piece: Piece) -> bool:
         """Whether its first words make two numbers its ends."""

@@ -201,7 +201,10 @@ def _is_named(piece: Piece, known: frozenset[int], around: Surroundings) -> bool
     marked = piece.start > 0 and around.texts[piece.start - 1] == ":" and not known.isdisjoint(before)
     follower = around.follower(piece)
     thing = follower.isalpha() and follower not in around.lexicon.function_words
-    return (piece.value.event and not known.isdisjoint(before | behind)) or (marked and thing)
+    # "Milk at eight, morning coffee at ten", "3pm afternoon tea"
+    beside = not known.isdisjoint(before | behind)
+    begins = beside and (around.before(piece) in MARKS or piece.start - 1 in known)
+    return (piece.value.event and beside) or ((marked or begins) and thing)
 
 
 def is_event(piece: Piece, around: Surroundings) -> bool:

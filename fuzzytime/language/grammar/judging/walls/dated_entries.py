@@ -4,6 +4,7 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.english import singular
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings.measuring import LARGEST_SHARE
@@ -66,9 +67,22 @@ def is_activity_in_part(piece: Piece, around: Surroundings) -> bool:
     behind = words[piece.end : end]
     noun = list(itertools.takewhile(lambda word: word.text not in lexicon.function_words, behind))
     timed = any(around.pieces(place) or words[place].is_digits for place in range(piece.end, end))
-    known = lexicon.lasting | lexicon.happening | lexicon.taken | lexicon.beside.in_parts
     opens = not piece.start or words[piece.start - 1].text in LINE_STARTS | ENDS
-    return opens and not timed and 0 < len(noun) <= COMPOUND and noun[-1].text in known
+    return opens and not timed and 0 < len(noun) <= COMPOUND and _is_activity(noun[-1], lexicon)
+
+
+def _is_activity(word: Word, lexicon: Lexicon) -> bool:
+    """Whether a word names what is done, or happens, in some part of a day."""
+    known = lexicon.lasting | lexicon.happening | lexicon.taken | lexicon.beside.in_parts
+    return not known.isdisjoint({word.text, singular(word.text)})
+
+
+def is_of_timed_activity(piece: Piece, around: Surroundings) -> bool:
+    """Whether a part of a day is of what has its hour right behind it: "morning run 7am"."""
+    words, lexicon = around.words, around.lexicon
+    opens, hour = not piece.start or words[piece.start - 1].text in LINE_STARTS | STOPS, piece.end + 1
+    timed = hour < len(words) and words[hour].is_digits
+    return opens and timed and _is_activity(words[piece.end], lexicon)
 
 
 def dates_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
@@ -103,6 +117,28 @@ def sure_in_front(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Ph
     weak = isinstance(time, Wall) and time.weak and time.clock is None
     dated = weak and dates_entry(words, phrase.first, phrase.end, lexicon)
     return replace(phrase, said=phrase.said.sure) if dated else phrase
+
+
+def beside_name(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Give the hour of an entry without the part of the day that names what is then: "3pm | afternoon tea".
+
+    What it says of the hour is kept: "9:30 evening prayer" is in the evening.
+    """
+    last, wall = phrase.end - 1, phrase.said.wall
+    told = wall.clock is None or wall.part is None or not words[last - 1].text.isalnum()
+    if told or last <= phrase.first or words[last - 1].text in lexicon.function_words:
+        return phrase
+    names = lexicon.means(words[last].text, "part") and _ends_in_activity(phrase.end, words, lexicon)
+    return replace(phrase, end=last, span=(phrase.span[0], words[last - 1].end)) if names else phrase
+
+
+def _ends_in_activity(place: int, words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether what is done, or happens, stands at a place, and nothing behind it in its entry."""
+    ends = LINE_STARTS | STOPS
+    end = next((p for p in range(place, len(words)) if words[p].text in ends), len(words))
+    noun = words[place:end]
+    alone = all(word.is_letters and word.text not in lexicon.function_words for word in noun)
+    return alone and 0 < len(noun) <= COMPOUND and _is_activity(noun[-1], lexicon)
 
 
 def _last_of_compound(words: Sequence[Word], place: int) -> int:

@@ -3,7 +3,12 @@
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.judging.standing import Standing
 from fuzzytime.language.grammar.judging.walls.bare_hours import BareHours
-from fuzzytime.language.grammar.judging.walls.dated_entries import HEADS, LINE_STARTS, is_activity_in_part
+from fuzzytime.language.grammar.judging.walls.dated_entries import (
+    HEADS,
+    LINE_STARTS,
+    is_activity_in_part,
+    is_of_timed_activity,
+)
 from fuzzytime.language.grammar.judging.walls.naming import Counts, Naming
 from fuzzytime.language.grammar.judging.walls.weak_walls import WeakWalls
 from fuzzytime.language.grammar.surroundings.compared import NEAR
@@ -201,7 +206,7 @@ class Walls(Standing):
 
     def _is_of_noun(self, piece: Piece, said: Said) -> bool:
         """Whether a part of the day describes the noun behind it."""
-        if piece.start > 0 and self.around.names_event(piece):
+        if (piece.start > 0 and self.around.names_event(piece)) or is_of_timed_activity(piece, self.around):
             return True
         if self.around.may_end(piece) or self.around.is_spent(piece):
             return False

@@ -198,6 +198,9 @@ def happens_too(wish: Wish) -> list[Stretch] | None:
     moving = wish.lexicon.doing.moments | wish.lexicon.doing.several_timed
     apart = named and (tree.nodes[wish.end - 1].lower in moving)
     apart = apart or (named and is_of_its_own(wish.text(wish.start, wish.end), wish.lexicon))
+    if named and tree.nodes[wish.end - 1].lower == tree.nodes[root].lower:
+        # "Morning meds at eight, evening meds at nine"
+        return []
     return [(wish.end, range(root, end))] if named and not apart else None
 
 

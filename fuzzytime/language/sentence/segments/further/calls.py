@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.fronts import is_bare
-from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.sentence.segments.segment import DASHES, Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node
@@ -144,7 +144,9 @@ def addressed(one: Waiting, part: Part) -> list[Segment]:
     mark = 1 + (nodes[1].tag == "CD" or lettered)
     for name, rest in ((nodes[:mark], nodes[mark + 1 :]), (nodes[-1:], nodes[:-2])):
         separator = nodes[mark] if name[0] is nodes[0] else nodes[-2]
-        dash = separator.text == "-" and mark == 2
+        # "Robot 3 - dock at noon", "lock up at ten - Janet"; but "dinner at seven - pasta"
+        known = name[0].lower in part.lexicon.people and _asks(one, part, rest)
+        dash = separator.text in DASHES and (known or mark == len(name) == NUMBERED)
         if (dash or separator.text in {",", ":"}) and rest and _is_name(one, part, name):
             span = part.span(rest[0], rest[-1])
             span = (span[0], last) if name[0] is nodes[0] else (first, span[1])
@@ -153,6 +155,14 @@ def addressed(one: Waiting, part: Part) -> list[Segment]:
             if Waiting.of(one.position, one.source, segment).text:
                 return [segment]
     return []
+
+
+def _asks(one: Waiting, part: Part, nodes: Sequence[Node]) -> bool:
+    """Whether words begin with what is done and with what: "set up", but "hospital appointment", "call"."""
+    lexicon, timed = part.lexicon, one.timed(part.tree)
+    said = [node for node in nodes if part.tree.nodes.index(node) not in timed and node.text.isalnum()]
+    happens = lexicon.happening | lexicon.taken
+    return len(said) > 1 and said[0].may_act and is_bare(said[0], lexicon) and said[0].lower not in happens
 
 
 def _is_name(one: Waiting, part: Part, nodes: Sequence[Node]) -> bool:

@@ -62,18 +62,18 @@ def _bracketed(scanned: Scanned) -> Iterator[Span]:
         span = (word.start, words[min(end, len(words) - 1)].end)
         noted = asks_for_deed(inside, scanned.lexicon) or _tells(inside, scanned.lexicon)
         ends = all(one.text in ENDS for one in words[end + 1 : end + 2])
-        behind = any(phrase.end <= place for phrase in phrases)
+        # "8:10 ovens on (deck 1)" is all a name.
+        behind = any(p.end <= place and p.first and words[p.first - 1].is_letters for p in phrases)
         noted = noted or (behind and ends and _adds(inside, scanned.lexicon))
         if noted and not any(overlap(one.span, span) for one in phrases):
             yield span
 
 
 def _adds(inside: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether words in brackets only add something: "booked", "half a tin"; but "if it's dry", "not Ann"."""
+    """Whether words in brackets only add something: "booked", "half a tin"; but "if it's dry", "Ann"."""
     first = inside[0].text if inside else ""
     known = lexicon.closed.joints_of_orders | lexicon.closed.negators | lexicon.closed.alternatives
     case = bool(inside) and longest_match(inside, 0, lexicon.clauses) is not None
-    # "Dentist at nine (Tom)"
     called = bool(inside) and inside[0].capital
     return first.isalnum() and first not in known and not (case or called)
 

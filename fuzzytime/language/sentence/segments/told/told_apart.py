@@ -30,10 +30,13 @@ def with_told_apart(scanned: Scanned) -> str:
     places = [p for p in range(2, len(words)) if words[p].text in ended or _needs_deed(scanned, p)]
     is_then = [p for p in range(1, len(words) - 1) if words[p].text.endswith(IS)]
     denied = [p for p in range(2, len(words)) if words[p].text == NO and words[p - 1].text in MARKS]
-    phrases = phrases_of(scanned) if places or is_then or denied else ()
+    there = [p for p in range(len(words) - 1) if _begins_there(scanned, p)]
+    phrases = phrases_of(scanned) if places or is_then or denied or there else ()
     stops = [phrase.end for phrase in phrases if _is_of_day(scanned, phrase)]
-    stops += [place - 1 for place in denied if _denies(scanned, place, phrases)]
     timed = places_in(phrases)
+    ends_there = (_end_of_being_there(scanned, place, phrases) for place in there if place not in timed)
+    stops += [end for end in ends_there if end]
+    stops += [place - 1 for place in denied if _denies(scanned, place, phrases)]
     ends = {p.first: p.end for p in phrases if p.said.constraint in {Constraint.BEFORE, *MOMENTS}}
     for place in places:
         end = ends.get(place + 1, 0) if words[place].text in ended else -1
@@ -89,6 +92,33 @@ def _is_of_day(scanned: Scanned, phrase: Phrase) -> bool:
     words, joints = scanned.words, scanned.lexicon.closed.joints_of_orders | {"so"}
     told = phrase.said.is_day and phrase.first > 1 and words[phrase.first - 1].text.endswith(IS)
     return told and phrase.end < len(words) - 1 and words[phrase.end].text in joints
+
+
+def _begins_there(scanned: Scanned, place: int) -> bool:
+    """Whether where somebody is to be begins a sentence: "up", "in bed"."""
+    words = scanned.words
+    return words[place].text in scanned.lexicon.beside.states and not before_in_sentence(words, place)
+
+
+def _end_of_being_there(scanned: Scanned, place: int, phrases: Sequence[Phrase]) -> int:
+    """Give the mark behind where somebody is to be by a time: "in bed by seven | , lights off at eight".
+
+    What stands behind it has a time of its own, or is an order: but "home by five, please".
+    """
+    words = scanned.words
+    behind = [phrase for phrase in phrases if phrase.first > place]
+    due = behind[0] if behind else None
+    if due is None or due.said.constraint not in {Constraint.BEFORE, *MOMENTS} or due.end > len(words) - 2:
+        return 0
+    orders = scanned.lexicon.orders | scanned.lexicon.addressing
+    mark = due.end
+    while words[due.end].text == "to" and mark < len(words) - 2 and words[mark].is_letters:
+        # "Up by six to pack, out by seven"
+        mark += 1
+    if len(behind) == 1 and words[mark + 1].text not in orders:
+        return 0
+    named = due.first - place < LONGEST and all(word.is_letters for word in words[place : due.first])
+    return mark if named and words[mark].text in {",", "and", ";"} else 0
 
 
 def _denies(scanned: Scanned, place: int, phrases: Sequence[Phrase]) -> bool:

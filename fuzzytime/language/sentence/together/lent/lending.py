@@ -44,9 +44,9 @@ def _is_in_front(before: Sketch, sketch: Sketch, text: str) -> bool:
 
 
 def _is_time_alone(sketch: Sketch) -> bool:
-    """Whether nothing but times and clauses is said: not "maths until ten"."""
-    part, heard = sketch.part, sketch.heard
-    names = (node for node in part.tree.nodes if node.tag.startswith("NN"))
+    """Whether nothing but times and clauses is said: not "maths until ten", "home by five"."""
+    part, heard, states = sketch.part, sketch.heard, sketch.lexicon.beside.states
+    names = (node for node in part.tree.nodes if node.tag.startswith("NN") or node.lower in states)
     return bool(heard) and all(any(overlap(part.span(name), span) for span in heard) for name in names)
 
 

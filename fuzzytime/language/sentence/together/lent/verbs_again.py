@@ -183,8 +183,12 @@ def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
         whole = says_where((before.object or "").lower(), lexicon)
         return replace(before, object=None if whole else before.object, place=rest, manner=None)
     led = rest.lower().split()[0]
+    old, new = (before.place or "").split(), rest.split()
+    if before.object is None and old[:1] and old[0].isdecimal() and new[0].isdecimal():
+        # "Run 5 km at seven and 8 km at four"
+        return replace(before, place=rest) if old[1:] == new[1:] else None
     # "Stop for a brew at ten and for lunch at noon"
-    again = before.object is None and [led] == (before.place or "").split()[:1]
+    again = before.object is None and [led] == old[:1]
     return replace(before, place=rest) if again else None
 
 

@@ -40,8 +40,13 @@ def goes_on(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> bool:
 
 
 def plural_subject(tree: Tree, verb: int) -> int | None:
-    """Give the noun that a tree took for a part of a plural that is the verb: "laundry finishes"."""
+    """Give the noun that a tree took for a part of a plural that is the verb: "laundry finishes".
+
+    No part of a day does anything: "morning pills at eight".
+    """
     for place in tree.children(verb, "compound", "amod"):
+        if tree.lexicon.means(tree.nodes[place].lower, "part"):
+            continue
         if place == verb - 1 and (
             tree.nodes[place].tag in SINGULAR or tree.nodes[verb].lower in tree.lexicon.doing.timed
         ):

@@ -52,8 +52,10 @@ def named_alone(
     heads = [node for node in nodes if node.head not in said or tree.nodes[node.head] is node]
     if entry and heads:
         return Operation(verb=name, lemma=heads[0].lemma, span=span)
-    opened = nodes[0].tag in DETERMINERS
-    another = nodes[0].lower in tree.lexicon.closed.indefinite_determiners
+    # "Half a tin at six"
+    opener = nodes[nodes[0].tag == "PDT" and len(nodes) > 1]
+    opened = opener.tag in DETERMINERS
+    another = opener.lower in tree.lexicon.closed.indefinite_determiners
     if opened and not (chained or another):
         # "The dog at seven" goes on with the verb said last; but "a short walk before lunch".
         return None
