@@ -112,7 +112,7 @@ class Operation:
             # "The turkey needs to come out", "the coffee should be ready"
             said = (self.object, self.due, self.verb, self.particle, self.complement, self.place)
         elif self.lemma == "be" and (self.complement or self.place):
-            said = (self.object, self.verb, self.complement, self.place)
+            said = (self.object, self.verb, self.particle, self.complement, self.place)
         if self.stated:
             # "Dinner is at seven": what is, is its name.
             verb = None if self.attended or self.lemma == "be" else self.verb

@@ -1,6 +1,7 @@
 """Whether what stands around a reading makes it doubtful: numbers that count, words with another meaning."""
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.judging.beside.new_times import tells_new_time
 from fuzzytime.language.grammar.judging.borders import Borders
 from fuzzytime.language.grammar.judging.further import Further
 from fuzzytime.language.grammar.judging.lengths import Lengths
@@ -211,7 +212,8 @@ class Judge(Around):
         if to and self.around.follower(piece) in self.beside.whereabouts | self.beside.away_from:
             # "Bake it directly from the fridge"
             return True
-        return self._begins_clause(piece) or self._is_now_and_again(piece) or self._says_which(piece)
+        within = self._begins_clause(piece) or self._is_now_and_again(piece) or self._says_which(piece)
+        return within or tells_new_time(piece, self.around)
 
     def _says_which(self, piece: Piece) -> bool:
         """Whether words behind say which time is meant, or each of what: "at the same time as the rice"."""

@@ -17,6 +17,7 @@ from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import may_have_it_done, takes_verb
 from fuzzytime.language.sentence.verbs.meant.actions import action_of
+from fuzzytime.language.sentence.verbs.meant.complements import complement
 from fuzzytime.language.sentence.verbs.statements.called import person_due
 from fuzzytime.language.sentence.verbs.statements.statements import second_statement
 
@@ -25,19 +26,25 @@ CHAIN = re.compile(r",?w(?:,w)*,?&")
 
 
 def reminded(one: Waiting, part: Part) -> list[Segment]:
-    """Give what is not to be forgotten, where that happens: "don't forget the plumber comes at four"."""
-    root = part.tree.root
-    if part.tree.nodes[root].lemma not in part.lexicon.forgetting | part.lexicon.doing.remembering:
+    """Give what is not to be forgotten, where that happens: "don't forget the plumber comes at four".
+
+    So is what somebody is not let forget: "don't let me forget the bins go out".
+    """
+    root, nodes = part.tree.root, part.tree.nodes
+    let = complement(part.tree, root, "let")
+    if let is not None and nodes[let].lemma in part.lexicon.forgetting:
+        root = let
+    elif part.tree.children(root, "nsubj", "nsubjpass"):
         return []
-    if part.tree.children(root, "nsubj", "nsubjpass"):
+    if nodes[root].lemma not in part.lexicon.forgetting | part.lexicon.doing.remembering:
         return []
     for told in part.tree.children(root, "ccomp"):
         subjects = [p for p in part.tree.children(told, "nsubj", "nsubjpass", "expl") if root < p < told]
-        if not subjects or part.tree.nodes[told].tag == "VB" or part.tree.nodes[subjects[0]].lower == "you":
+        if not subjects or nodes[told].tag == "VB" or nodes[subjects[0]].lower == "you":
             continue
         first = min(part.tree.below(subjects[0]))
-        if first == root + 1 or (first == root + 2 and part.tree.nodes[root + 1].lower == "that"):
-            start = part.tree.nodes[first].start + part.offset
+        if first == root + 1 or (first == root + 2 and nodes[root + 1].lower == "that"):
+            start = nodes[first].start + part.offset
             return [replace(one.segment, span=(start, one.segment.span[1]))]
     return []
 

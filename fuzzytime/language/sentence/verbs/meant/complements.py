@@ -60,4 +60,4 @@ def lets_forget(tree: Tree, place: int) -> bool:
     """Whether it is "don't let me forget to post it", "don't let me forget the bins"."""
     below = complement(tree, place, "let")
     forgets = below is not None and tree.nodes[below].lemma in tree.lexicon.forgetting
-    return forgets and below is not None and bool(tree.children(below, "xcomp", "dobj"))
+    return forgets and below is not None and bool(tree.children(below, "xcomp", "dobj", "ccomp"))
