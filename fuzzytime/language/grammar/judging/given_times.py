@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.surroundings.surroundings import Around
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Wall
 
+IN_TIME = frozenset({"in time to", "good time to"})
+"""What stands before the verb of something that one is to be in time for."""
+
 
 class GivenTimes(Around):
     """What stands around a time that something has, or is given."""
@@ -21,9 +24,12 @@ class GivenTimes(Around):
     def is_caught(self, piece: Piece) -> bool:
         """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York".
 
-        So it is where somebody is met off it: "meet gran off the 3.20 bus".
+        So it is where somebody is met off it: "meet gran off the 3.20 bus". "Leave in time to catch the 7:42"
+        is before that.
         """
         owner = piece.start - 1
+        if " ".join(self.texts[max(0, owner - 4) : max(0, owner - 1)]) in IN_TIME:
+            return False
         behind = self.around.follower(piece)
         ends = not behind[:1].isalnum() or behind in self.beside.bound_for | self.lexicon.travelling
         led = self.texts[owner - 1] if owner > 0 else ""
