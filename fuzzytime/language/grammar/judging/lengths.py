@@ -28,6 +28,11 @@ class Lengths(Standing):
             # "Don't stir it until the last minute": of what, is not said, or behind it.
             return True
         follower, behind = self.around.follower(piece), self.texts[piece.end + 1 : piece.end + 2]
+        going_on = self.lexicon.lasting | self.lexicon.happening | self.lexicon.taken
+        alarm = self.around.before(piece) in self.lexicon.appointing - going_on
+        if said.preposition == "for" and alarm and follower in self.beside.before_or_after:
+            # "Set an alarm for an hour before the party"; but "a timer", "a meeting for an hour"
+            return True
         # "When five minutes have passed since the bell", "for a minute less than the packet says"
         since = piece.rule.startswith(ELAPSED) and follower in self.beside.elapsed_from
         return since or (follower in self.beside.comparing and behind == ["than"])

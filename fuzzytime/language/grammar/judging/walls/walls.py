@@ -289,8 +289,8 @@ class Walls(Standing):
                 return False
             led = self.around.opens(piece.start) and follower.isalpha()
             led = led and follower not in self.lexicon.function_words
-            # "Phone Ann first thing about the bins"
-            more = follower in self.closed.prepositions_behind_times
+            # "Phone Ann first thing about the bins", "bake it first thing so it's fresh"
+            more = follower in self.closed.prepositions_behind_times | self.closed.joints_of_consequence
             return not ends and not (bare and (led or more))
         served = self.is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
         greeting = self.around.before(piece) in self.beside.greeting and (
