@@ -19,6 +19,9 @@ APART = ";"
 """The mark in front of what is told apart, in place of its bracket."""
 
 STOP, IS, NO = ".", ("'s", "’s"), "no"
+WORKING = 3
+"""Words of "robot 2 docks"."""
+
 LONGEST = 4
 """Words of "my best blue shirt" at most."""
 
@@ -31,8 +34,9 @@ def with_told_apart(scanned: Scanned) -> str:
     is_then = [p for p in range(1, len(words) - 1) if words[p].text.endswith(IS)]
     denied = [p for p in range(2, len(words)) if words[p].text == NO and words[p - 1].text in MARKS]
     there = [p for p in range(len(words) - 1) if _begins_there(scanned, p)]
-    phrases = phrases_of(scanned) if places or is_then or denied or there else ()
-    stops = [phrase.end for phrase in phrases if _is_of_day(scanned, phrase)]
+    workers = [p for p in range(2, len(words) - WORKING) if _acts_too(scanned, p)]
+    phrases = phrases_of(scanned) if places or is_then or denied or there or workers else ()
+    stops = [phrase.end for phrase in phrases if _is_of_day(scanned, phrase) or phrase.end in workers]
     timed = places_in(phrases)
     ends_there = (_end_of_being_there(scanned, place, phrases) for place in there if place not in timed)
     stops += [end for end in ends_there if end]
@@ -92,6 +96,13 @@ def _is_of_day(scanned: Scanned, phrase: Phrase) -> bool:
     words, joints = scanned.words, scanned.lexicon.closed.joints_of_orders | {"so"}
     told = phrase.said.is_day and phrase.first > 1 and words[phrase.first - 1].text.endswith(IS)
     return told and phrase.end < len(words) - 1 and words[phrase.end].text in joints
+
+
+def _acts_too(scanned: Scanned, place: int) -> bool:
+    """Whether a mark stands before what a further worker does: "robot 1 docks at two | , robot 2 leaves"."""
+    mark, worker, number, verb = scanned.words[place : place + WORKING + 1]
+    named = worker.text in scanned.lexicon.workers and number.is_digits
+    return named and verb.is_letters and verb.text.endswith("s") and mark.text in {",", "and", ";"}
 
 
 def _begins_there(scanned: Scanned, place: int) -> bool:
