@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers.leftovers import leftovers
-from fuzzytime.language.instruction import Instruction, Operation, Question, Reading, Remark, Span
+from fuzzytime.language.instruction import Instruction, Operation, Question, Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.grounded.moment import Moment
 from fuzzytime.language.meaning.joined.first_times import opening_of
 from fuzzytime.language.meaning.required.requirements import Grounded
@@ -249,12 +249,14 @@ class _Composer:
         if self.made and sketch.operation is not None and sketch.operation.lemma not in sketch.lexicon.moving:
             before, own = self.made[-1], sketch.operation
             times = behind_the_same(times, sketch.phrases, self.draft.text, moment, before, own)
+        decided = [remark for remark in times.remarks if remark.kind is RemarkKind.POLICY]
+        self.remarks += [remark for remark in times.remarks if remark not in decided]
         if not sketch.doubted:
-            # What is not planned is no clue to what else is meant.
+            # What is not planned is no clue to what else is meant, and nobody is asked, or told, when it is.
             happens = sketch.operation is not None and sketch.operation.stated
             self._remember(times, happens=happens, apart=apart)
-        self.remarks += times.remarks
-        self.questions += times.questions
+            self.questions += times.questions
+            self.remarks += decided
         return times
 
     def _right_before(self, position: int, before: int | None, said: str) -> Anchor | None:
