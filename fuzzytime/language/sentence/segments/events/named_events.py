@@ -65,18 +65,25 @@ def listed(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -
 
 
 def behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
-    """Give where an order begins behind what happens: "lunch at noon, cook it beforehand"."""
-    first = next(iter(phrases), None)
-    if first is None or not first.first or longest_match(words, 0, lexicon.clauses) is not None:
+    """Give where an order begins behind what happens: "lunch at noon, cook it beforehand".
+
+    Its day may stand in front: "thu: swimming at four, bring a snack".
+    """
+    first, begin = next(iter(phrases), None), 0
+    if first is not None and not first.first and first.said.is_day and len(phrases) > 1:
+        begin, first = first.end + (words[first.end].text == ":"), phrases[1]
+    if first is None or first.first <= begin or longest_match(words, begin, lexicon.clauses) is not None:
         # "After the wedding on the 21st, call mum"
         return
     # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
     named = (
-        all(word.text in lexicon.closed.noun_openers | lexicon.taken for word in words[: first.first])
-        and first.first > 1
+        all(word.text in lexicon.closed.noun_openers | lexicon.taken for word in words[begin : first.first])
+        and first.first > begin + 1
     )
-    # "Vet 10, dentist 3"
-    listed = first.first == 1 and words[0].text in lexicon.taken and len(phrases) > 1
+    # "Vet 10, dentist 3", "dentist at four, bring the card"; but "call at ten, …" asks for it
+    asked = lexicon.orders | lexicon.addressing | lexicon.needing_nothing
+    surely = len(phrases) > 1 or words[begin].text not in asked
+    listed = first.first == begin + 1 and words[begin].text in lexicon.taken and surely
     if not (named or listed) and words[first.first - 1].text not in lexicon.happening:
         return
     behind = first.end + 1
