@@ -2,6 +2,7 @@
 
 from collections.abc import Set as AbstractSet
 
+from fuzzytime.english import looks_plural
 from fuzzytime.language.sentence.segments.mended.amounts import with_amounts
 from fuzzytime.language.sentence.segments.mended.forms_of_be import (
     with_clipped,
@@ -15,7 +16,7 @@ from fuzzytime.language.sentence.segments.mended.mended_verbs import (
     with_thing_done,
     with_verb,
 )
-from fuzzytime.language.sentence.trees.tags import NOUNS
+from fuzzytime.language.sentence.trees.tags import NOUNS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 LEAST_DONE = 3
@@ -238,11 +239,24 @@ def _with_list(tree: Tree) -> Tree:
     thing, comma = things[0], things[0] + 1
     if comma >= len(tree.nodes) or tree.nodes[comma].text != ",":
         return tree
+    bare = comma + 1
+    if bare in tree.children(root, "conj") and _is_bare_plural(tree, bare, root):
+        # "Put the tables, chairs out": what stands behind them is of all.
+        tree = tree.hung(tree.children(bare), root)
+        return tree.changed(bare, tag="NNS", head=thing, relation="conj").changed(comma, head=thing)
     further = [*tree.children(root, "conj", "dep"), *tree.children(thing, "conj", "appos")]
     listed = next((p for p in further if tree.nodes[p].tag in NOUNS and _is_led(tree, p, comma + 1)), None)
     if listed is None or not tree.children(listed, "conj"):
         return tree
     return tree.changed(listed, head=thing, relation="conj").changed(comma, head=thing)
+
+
+def _is_bare_plural(tree: Tree, place: int, verb: int) -> bool:
+    """Whether things without an article stand before a particle of a verb, and do nothing: "chairs out"."""
+    node, particle = tree.nodes[place], "".join(other.lower for other in tree.nodes[place + 1 : place + 2])
+    plural = node.may_name and looks_plural(node.lower) and node.tag in {"NNS", "VBZ"}
+    carried = tree.nodes[verb].lemma in tree.lexicon.particles.get(particle, ())
+    return plural and carried and not tree.children(place, *SUBJECTS, "dobj", "conj")
 
 
 def _is_led(tree: Tree, place: int, first: int) -> bool:

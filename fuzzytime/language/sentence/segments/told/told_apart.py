@@ -4,6 +4,7 @@ It is told apart from what stands before it, which trees take together with it.
 """
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 
 from fuzzytime.english import is_participle
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -33,11 +34,12 @@ def with_told_apart(scanned: Scanned) -> str:
     places = [p for p in range(2, len(words)) if words[p].text in ended or _needs_deed(scanned, p)]
     is_then = [p for p in range(1, len(words) - 1) if words[p].text.endswith(IS)]
     denied = [p for p in range(2, len(words)) if words[p].text == NO and words[p - 1].text in MARKS]
-    there = [p for p in range(len(words) - 1) if _begins_there(scanned, p)]
     workers = [p for p in range(2, len(words) - WORKING) if _acts_too(scanned, p)]
+    there = [p for p in range(len(words) - 1) if _begins_there(scanned, p)]
     phrases = phrases_of(scanned) if places or is_then or denied or there or workers else ()
-    stops = [phrase.end for phrase in phrases if _is_of_day(scanned, phrase) or phrase.end in workers]
+    stops = [phrase.end for phrase in phrases if _is_of_day(scanned, phrase)]
     timed = places_in(phrases)
+    stops += [p for p in workers if p - 1 in timed and _asks_before(scanned, p, timed)]
     ends_there = (_end_of_being_there(scanned, place, phrases) for place in there if place not in timed)
     stops += [end for end in ends_there if end]
     stops += [place - 1 for place in denied if _denies(scanned, place, phrases)]
@@ -103,6 +105,13 @@ def _acts_too(scanned: Scanned, place: int) -> bool:
     mark, worker, number, verb = scanned.words[place : place + WORKING + 1]
     named = worker.text in scanned.lexicon.workers and number.is_digits
     return named and verb.is_letters and verb.text.endswith("s") and mark.text in {",", "and", ";"}
+
+
+def _asks_before(scanned: Scanned, place: int, timed: AbstractSet[int]) -> bool:
+    """Whether no clause is said before a place: but "when robot 1 docks at two, | robot 2 leaves"."""
+    first = place - len(before_in_sentence(scanned.words, place))
+    said = (p for p in range(first, place) if p not in timed)
+    return all(longest_match(scanned.words, p, scanned.lexicon.clauses) is None for p in said)
 
 
 def _begins_there(scanned: Scanned, place: int) -> bool:
