@@ -18,7 +18,7 @@ from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
 from fuzzytime.language.sentence.sketches.meaning.clock_times import IN_ORDER, SEVERAL, LastSaid, said_in
 from fuzzytime.language.sentence.together.days.headings import under_headings
-from fuzzytime.language.sentence.together.days.written_in_the_evening import on_next_day, through_night
+from fuzzytime.language.sentence.together.days.of_the_next_day import on_next_day, through_night
 from fuzzytime.language.sentence.together.none_of_it.needed_lines import with_needed
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed

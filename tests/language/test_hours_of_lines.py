@@ -175,7 +175,7 @@ def test_hours_without_marks_that_lead_most_lines_are_no_years(first: str) -> No
 DAY = ("stock count at 8", "fire drill 10.15", "photos at 12:15", "coffee 3.15", "count the float")
 
 
-def test_a_day_written_in_the_evening_is_tomorrow() -> None:
+def test_a_day_of_the_next_day_is_tomorrow() -> None:
     readings = Language.shipped().read_all([(line, EVENING) for line in DAY])
     times = [part for reading in readings for one in reading.instructions for part in one.requirements]
     begins = [instant_after(EVENING, part.earliest) for part in times if part.earliest is not None]

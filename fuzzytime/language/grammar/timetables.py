@@ -66,7 +66,13 @@ def _is_plain(entry: Sequence[Word]) -> bool:
 
 
 def leads_entry(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> bool:
-    """Whether words in front of an entry are its hour, as every entry begins with a number: "12 lunch"."""
+    """Whether words in front of an entry are its hour, as every entry begins with a number: "12 lunch".
+
+    Numbers in brackets are how many: "8am pills (2 white, 1 pink)".
+    """
+    before = [word.text for word in words[:start]]
+    if before.count("(") > before.count(")"):
+        return False
     if start and words[start - 1].text not in SEPARATORS and start > LONGEST_DAY:
         return False
     entries = [(_behind_day(words, first, last, lexicon), last) for first, last in _entries(words)]
@@ -183,12 +189,17 @@ def _all_lead(words: Sequence[Word], entries: Sequence[tuple[int, int]], lexicon
         return False
     named = [words[first + length].text for (first, _), length in zip(entries, lengths, strict=True)]
     counted = (text for text, length in zip(named, lengths, strict=True) if length == 1)
-    if any(looks_plural(text) and not has_time(text, lexicon) for text in counted):
+    if any(_are_several(text, lexicon) for text in counted):
         return False
     if any(_counts_things(words[slice(*one)], lexicon) for one in entries):
         return False
     exact = any(length > 1 for length in lengths) or words[entries[0][0]].text.startswith("0")
     return exact or any(has_time(text, lexicon) for text in named)
+
+
+def _are_several(text: str, lexicon: Lexicon) -> bool:
+    """Whether a word is a plural of what has no time: "chairs", "people"; not "drinks"."""
+    return text in lexicon.beside.plurals or (looks_plural(text) and not has_time(text, lexicon))
 
 
 def _counts_things(entry: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -140,7 +140,7 @@ def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Ite
                 text[start:end],
                 start,
                 end,
-                _tag(token, names),
+                _tag(token, verbs, names),
                 text[start:end].lower() if sounding.is_noun((start, end)) else token.lemma_.lower(),
                 token.dep_,
                 token.head.i,
@@ -203,9 +203,9 @@ def _says_what_is(
     return so or acts or (over and said in states)
 
 
-def _tag(token: Any, names: AbstractSet[str]) -> str:  # noqa: ANN401 - spaCy's
-    """Give the tag of a word: what names something, and has no "s", is done by nobody: "then sauna"."""
-    misnamed = token.tag_ == "VBZ" and token.lower_ in names and not token.lower_.endswith("s")
+def _tag(token: Any, verbs: AbstractSet[str], names: AbstractSet[str]) -> str:  # noqa: ANN401 - spaCy's
+    """Give the tag of a word: what only names something is done by nobody: "then sauna"."""
+    misnamed = token.tag_ == "VBZ" and token.lower_ in names - verbs and not token.lower_.endswith("s")
     return "NN" if misnamed else str(token.tag_)
 
 

@@ -27,8 +27,8 @@ HYPHENED = re.compile(
 )
 """A verb and its particle with a hyphen, and the words on both sides of them: "tent take-down at six"."""
 
-TYPED = re.compile(r"(?<![\w'’-])\w+(?![\w'’-])")
-"""A word that stands by itself."""
+TYPED = re.compile(r"(?<![\w'’-])\w+(?![\w'’-]|  )")
+"""A word that stands by itself; one that was put in for a longer word, and left its room, stays as it is."""
 
 NAME = "Tim"
 """What stands for what is quoted: a tree has it for a thing that is named."""

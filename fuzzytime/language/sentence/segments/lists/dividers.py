@@ -191,7 +191,8 @@ def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> 
     # Most lines are no such list, and to read the others costs time.
     others = (Entry.of(item, grammar, lexicon) for item in items[1:])
     if first.times and first.begins_with_stretch:
-        return all(entry.begins_with_stretch for entry in others)
+        # So is what has its hour behind it: "9-12 sale, swap the helpers at 10:30".
+        return all(one.begins_with_stretch or (one.named and one.ends_timed and one.opens) for one in others)
     # "Croissants out at 6, baguettes at 7"
     named = [p for p in first.named if not p or first.words[p].text not in lexicon.beside.states]
     # "Remind me thursday, july 9 to call mum" is no thing with its time.

@@ -1,4 +1,4 @@
-"""Lines that were written in the evening: they are of tomorrow, or go through the night."""
+"""Lines of tomorrow, as their first hour is over; lines of the evening, of the night or of tomorrow."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -15,22 +15,27 @@ from fuzzytime.language.sentence.together.days.windows import clocks_in
 TOMORROW = Relative(1)
 NEXT_DAY = "tomorrow"
 TONIGHT = "tonight"
+TODAY = "today"
+NOON = 12
+"""The hour before which lines are of a morning that is not over."""
 
 UP_SECONDS = 5 * 3600
 """Seconds of a day before which people are up at night, and not early."""
 
 
 def on_next_day(drafts: Sequence[Draft]) -> list[Draft]:
-    """Give what was written in the evening as if "tomorrow:" stood above; none where it names its day.
+    """Give lines as if "tomorrow:" stood above; none where they name their day.
 
-    One line alone is no day that somebody wrote down.
+    They were written in the evening, or begin at an hour that is over.
     """
-    if not _is_of_evening(drafts):
+    evening = _is_of_evening(drafts)
+    if not _name_no_day(drafts) or not (evening or _begin_before_now(drafts)):
         return []
     day = Phrase(Said(Wall(TOMORROW)), 0, 0, (0, 0), HEADED, above=NEXT_DAY)
     timed = next((place for place, draft in enumerate(drafts) if draft.phrases), 0)
+    other = TONIGHT if evening else TODAY
     message = (
-        f"{NEXT_DAY} is taken as the day of this and the other lines: say 'tonight:' above them if it is not"
+        f"{NEXT_DAY} is taken as the day of this and the other lines: say '{other}:' above them if it is not"
     )
     remark = Remark(RemarkKind.POLICY, (0, len(drafts[timed].text)), message)
     return [
@@ -58,7 +63,21 @@ def through_night(drafts: Sequence[Draft]) -> list[Draft]:
 def _is_of_evening(drafts: Sequence[Draft]) -> bool:
     """Whether lines with times were all written in the evening, and name no day."""
     now = drafts[0].now if drafts else None
+    return now is not None and now.time() >= EVENING and _name_no_day(drafts)
+
+
+def _name_no_day(drafts: Sequence[Draft]) -> bool:
+    """Whether several lines with times, written at one moment, name no day."""
     named = any(draft.heading is not None and draft.heading.phrases for draft in drafts)
     alone = sum(bool(draft.phrases) for draft in drafts) <= 1
-    late = now is not None and now.time() >= EVENING
-    return late and not named and not alone and all(draft.now == now for draft in drafts)
+    return not named and not alone and all(draft.now == drafts[0].now for draft in drafts)
+
+
+def _begin_before_now(drafts: Sequence[Draft]) -> bool:
+    """Whether the first clock time of lines in the order of a day was this morning: "6:45 …" said at nine."""
+    clocks = [clock for draft in drafts for clock in clocks_in(draft)]
+    now = drafts[0].now
+    if now is None or not clocks:
+        return False
+    first = min(clocks[0].candidates())
+    return UP_SECONDS <= first < now.hour * 3600 + now.minute * 60 and now.hour < NOON
