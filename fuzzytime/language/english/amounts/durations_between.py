@@ -11,15 +11,18 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+FARTHEST = 10
+"""How many times as long the longer of two may be, where only the shorter has its unit."""
+
 FIVE = 5
 """What larger numbers of minutes are counted in."""
 
 
 @grammar.rule("duration", "<quantity> <unit> or <quantity>", weight=0.2)
 def one_or_two(quantity: Quantity, unit: UnitWord, more: Quantity) -> Duration | None:
-    """An hour or two."""
+    """An hour or two; but "six months or 5,000 (km)" are two measures."""
     first, last = length_of(quantity, unit), length_of(more, unit)
-    if first is None or last is None or more.indefinite or first.seconds >= last.seconds:
+    if first is None or last is None or more.indefinite or not 1 < last.seconds / first.seconds < FARTHEST:
         return None
     return replace(first, until=replace(last, bare_end=True), indefinite=False)
 

@@ -57,6 +57,18 @@ def hedged(hedge: str, goal: Goal) -> Goal | None:
     return replace(goal, hedges=(hedge, *goal.hedges)) if len(goal.hedges) < 3 else None
 
 
+@grammar.rule(
+    "goal",
+    "agreed|closing|departure|latest|opening|set|starting|stated|usual time of <clock>",
+    "check -? in|out time of <clock>",
+    "stated|agreed|usual check -? in|out time of <clock>",
+    weight=0.4,
+)
+def time_of(clock: Clock) -> Goal:
+    """(no later than) the agreed time of ten, the check-out time of 10 am."""
+    return Goal(Wall(clock=clock))
+
+
 @grammar.rule("goal", "the? <edge> of? <hedge> <days>|<date>|<weak date>", weight=0.3)
 def about_the_end(edge: Edge, hedge: str, days: Calendar) -> Goal:
     """The end of about next week, end of around june."""

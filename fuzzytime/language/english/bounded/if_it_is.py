@@ -61,6 +61,7 @@ def if_it_is(days: tuple[Calendar, ...]) -> Calendar:
 @grammar.rule(
     "condition",
     "unless|except it's|its <kind of day>",
+    "unless on <kind of day>",
     "unless|except it|today is <kind of day>",
     "except|not if|when it's|its <kind of day>",
     "except|not if|when it|today is <kind of day>",

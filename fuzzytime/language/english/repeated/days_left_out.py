@@ -13,7 +13,7 @@ grammar = Grammar()
 
 @grammar.rule(
     "repeat",
-    "<repeat> ,? except|but|excluding|bar|save for|not? on|at? <weekday list>|<weekdays>|<off>",
+    "<repeat> ,? except|but|excluding|bar|save|unless for|not? on|at? <weekday list>|<weekdays>|<off>",
     "<repeat> ,? and? not on|at? <weekday list>|<weekdays>|<off>",
     "<repeat> ,? apart|aside|other from|than on|at? <weekday list>|<weekdays>|<off>",
     "<repeat> ( except|but|excluding|bar|not|no for|not? on|at? <weekday list>|<weekdays>|<off> )",
@@ -33,7 +33,7 @@ def left_out_days(days: tuple[int, ...] | int, more: int | None = None) -> tuple
 
 @grammar.rule(
     "repeat",
-    "at|in the? <wall> ,? except|excluding|bar|but for|on? <left out days>",
+    "at|in the? <wall> ,? except|excluding|bar|but|unless for|on? <left out days>",
     "at|in the? <wall> ,? but? not on? <left out days>",
     weight=0.7,
 )

@@ -11,6 +11,7 @@ from fuzzytime.language.meaning.expressions import (
     Edge,
     HourMark,
     Offset,
+    Quantity,
     Range,
     Repeat,
     Rest,
@@ -20,6 +21,9 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.units import UNIT_SECONDS, UnitWord
 from fuzzytime.requirement import Constraint, Unit
+
+FEW = (2, 3)
+"""How many times "a couple" and "a few" are."""
 
 grammar = Grammar()
 
@@ -200,6 +204,12 @@ def twice() -> int:
 def times(number: Integer) -> int | None:
     """Three times, 3x, x3; two (a day), but "two every night" is a clock time."""
     return number.value if 0 < number.value <= 1000 else None
+
+
+@grammar.rule("times", "<quantity> times", weight=-0.2)
+def a_few_times(number: Quantity) -> int | None:
+    """A couple of times, a few times; how many are several is not said."""
+    return int(number.value) if number.hedges and number.value in FEW else None
 
 
 @grammar.rule("times", "<integer>|<times> or|to|- <times>", weight=0.4)

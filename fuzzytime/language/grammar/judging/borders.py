@@ -30,6 +30,8 @@ CHANGED_LENGTH = "ranges.changed_length"
 CONDITION = "if_it_is."
 """How names of the rules begin of conditions that the calendar decides."""
 
+OUT_BY_DAY = ["outside", "during"]
+"""Where something is, and when: "put it outside during the day"; but "outside daylight hours"."""
 
 COMING = "coming"
 """What says which of several days is meant, and what somebody is doing then."""
@@ -55,6 +57,7 @@ class Borders(Around):
             or (self.texts[piece.end - 1] == "about" and self.around.follower(piece)[:1].isalnum())
             or (self.texts[piece.start] in SIGNS and self.measures.is_number(piece.start - 1))
             or self._is_state(piece)
+            or self.texts[piece.start : piece.start + 2] == OUT_BY_DAY
             or self.particles.hold(piece)
             or self.events.named(piece)
             or self._is_object(piece)

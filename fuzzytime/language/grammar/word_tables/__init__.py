@@ -189,7 +189,7 @@ _ROWS = {
         "between", "each way", "helping", "enough", "allowing", "leaving", "going for", "for it",
     ),
     "asides": (
-        "naming", "back", "helping", "taking", "whom", "preparing", "needing", "needed", "due",
+        "naming", "used later", "back", "helping", "taking", "whom", "preparing", "needing", "needed", "due",
         "being needed", "not needed", "being there", "having to be", "unable", "unable to",
     ),
     "spacing": ("leading", "beside", "nouns", "turns"),

@@ -115,6 +115,8 @@ class BeforeMarker:
 
     def _beside(self, place: int, said: Said, rule: str) -> Phrase:
         first = place - BESIDE
+        # "Ring the nurse on the morning after you arrive"
+        first -= self.words[first - 1].text == "on" and first - 1 not in self.covered
         return Phrase(said, first, place, (self.words[first].start, self.words[place - 1].end), rule)
 
     def _lasts(self, place: int) -> bool:

@@ -29,8 +29,8 @@ def begins_other_case(
     if courteous.issuperset(clause) or (said == "," and clause[-1] not in ENDS and "," not in clause):
         # "Unless told otherwise, lock up"
         return False
-    if place and words[place - 1].text in lexicon.doing.saying:
-        # "Unless Ann says otherwise start at nine"
+    if place and words[place - 1].text in lexicon.doing.saying | {EXCEPTING}:
+        # "Unless Ann says otherwise start at nine", "unless otherwise agreed"
         return False
     if said == "," or said in lexicon.beside.second_choice:
         return True

@@ -29,6 +29,15 @@ class Events(Around):
         if counted and self.around.follower(piece) in self.beside.of_hours:
             # "Two hours before the 6 am flight"
             return True
+        place = said.time.anchor if isinstance(said.time, Offset) else said.time
+        if isinstance(place, Wall) and place.part is not None and place.part.place:
+            follower, before = self.around.follower(piece), "before" in self.texts[piece.start : piece.end]
+            if before and follower in self.closed.present_be:
+                # "Before school is over"
+                return True
+            if isinstance(said.time, Offset) and not self.around.may_end(piece):
+                # "Ten minutes before school gates open"; but "… before school starts"
+                return follower not in self.lexicon.doing.timed
         if self._is_in_name(piece) or self._ends_name(piece) or self._is_given_time(piece):
             return True
         wall = said.time.anchor if isinstance(said.time, Offset) else said.time

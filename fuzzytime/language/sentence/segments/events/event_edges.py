@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.requirement import Edge
@@ -57,6 +57,11 @@ def is_event(
 ) -> bool:
     """Whether the name of what has a time stands at a place: "by the meeting"; but "go by train"."""
     closed = lexicon.closed
+    # "By kick-off"; but "stand by the bell" is where
+    moment = (longest_match(words, first, lexicon.moments) if first < end else None) or ("the",)
+    over = first + len(moment)
+    if moment[0] != "the" and first not in covered and (over >= end or over in covered):
+        return True
     eventful = lexicon.happening | lexicon.taken | {"time"}
     named = eventful - lexicon.travelling
     for place in range(first, min(end, first + LONGEST_EVENT)):

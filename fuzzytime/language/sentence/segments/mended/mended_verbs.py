@@ -187,7 +187,7 @@ def _lists_order(tree: Tree) -> Tree | None:
 
 
 def _does_compound(tree: Tree) -> Tree | None:
-    """Give "review pull requests" its verb, where the second word was taken for it.
+    """Give "review pull requests", "strip used beds" its verb, where the second word was taken for it.
 
     A noun in the singular and a bare verb do not agree; and who would be called has a name of its own.
     """
@@ -195,11 +195,18 @@ def _does_compound(tree: Tree) -> Tree | None:
         return None
     first, second, third = tree.nodes[:LEAST_DONE]
     things = tree.children(1, "dobj")
-    bare = first.tag == "NN" and first.may_act and second.tag in {"VB", "VBP"} and third.tag in {"NN", "NNS"}
-    if not bare or first.lower in tree.lexicon.persons | tree.lexicon.workers or not things:
+    used = second.tag == "VBD" and first.lower in tree.lexicon.orders - tree.lexicon.names_like_words
+    bare = first.tag == "NN" and first.may_act and second.tag in {"VB", "VBP"}
+    if (
+        not (bare or used)
+        or third.tag not in {"NN", "NNS"}
+        or first.lower in tree.lexicon.persons | tree.lexicon.workers
+        or not things
+    ):
         return None
     done = tree.hung(tree.children(1), 0).changed(0, tag="VB", relation="ROOT", head=0)
-    return done.changed(1, tag="NN", relation="compound", head=things[0])
+    kind = {"tag": "VBN", "relation": "amod"} if used else {"tag": "NN", "relation": "compound"}
+    return done.changed(1, head=things[0], **kind)
 
 
 def _goes_to_do(tree: Tree) -> Tree | None:

@@ -8,7 +8,12 @@ from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.conditions import is_wish
 from fuzzytime.language.sentence.segments.events.event_edges import BY, OF_EDGES, edge_of, is_event
 from fuzzytime.language.sentence.sketches.its_clauses.ends import ASKED, ClauseEnds
+from fuzzytime.language.sentence.trees.reasons import AS, begins_reason
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.requirement import Edge
+
+WITH_DASH = (("after",), ("before",))
+"""Markers that are the first of a word where a dash is glued to them."""
 
 
 class ClauseMarkers:
@@ -26,6 +31,7 @@ class ClauseMarkers:
             or is_wish(self.tree, self.words[place:])
             or self._inquires(place, form)
             or self._marks(place, form)
+            or self._says_why(place, form)
             or self._is_of_verb(place)
             or self._counts(place, form)
         )
@@ -98,6 +104,12 @@ class ClauseMarkers:
         over = behind + 1 == len(self.words) or behind + 1 in self.covered
         return over or self.words[behind + 1].text in joints
 
+    def _says_why(self, place: int, form: tuple[str, ...]) -> bool:
+        """Whether "as" begins a reason: "book by noon, as places are limited"."""
+        word = self.words[place]
+        said = self.tree.at(word.start, word.end) if form == (AS,) else ()
+        return any(begins_reason(self.tree, node) for node in said)
+
     def _bounded(self, place: int) -> tuple[str, ...] | None:
         """Give the "of" of "within an hour of calling", "for the last hour of roasting" as what begins it."""
         counts = self.before.bound(place) is not None or self.before.closes(place)
@@ -116,11 +128,21 @@ class ClauseMarkers:
         if (
             known
             and text == "by"
+            and not self._is_by_whom(place)
             and is_event(self.words, place + 1, self.ends.of(place + 1), self.covered, self.lexicon)
         ):
             # "By kick-off", "by knocking-off time"
             return BY
         return (text,) if known and self.edge(place + 1) is not None else None
+
+    def _is_by_whom(self, place: int) -> bool:
+        """Whether it is who does it: "the pills prescribed by the dentist"; not "be up by the dentist"."""
+        tree, word = self.tree, self.words[place]
+        by = (p for p in tree.at(word.start, word.end) if tree.nodes[p].relation == "agent")
+        done = [tree.nodes[p].head for p in by]
+        whose = any(verb != tree.root or tree.children(verb, *SUBJECTS) for verb in done)
+        behind = self.words[place + 1 : self.ends.of(place + 1)]
+        return whose and not self.lexicon.persons.isdisjoint(one.text for one in behind)
 
 
 def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> bool:
@@ -130,9 +152,13 @@ def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> 
 
 
 def _is_part_of_word(form: tuple[str, ...], words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a marker with a hyphen begins a word that is no event: "pre-heat", "a post-party mess"."""
+    """Whether a marker with a hyphen begins a word that is no event: "pre-heat", "a post-party mess".
+
+    So does "after" where one is glued to it: "the after-school club".
+    """
     if form[-1] != "-":
-        return False
+        dash = [word for word in words[place + len(form) : place + len(form) + 2] if word.glued]
+        return form in WITH_DASH and [word.text for word in dash[:1]] == ["-"] and len(dash) > 1
     event, behind = (words[p] if p < len(words) else None for p in (place + len(form), place + len(form) + 1))
     named = event is not None and event.glued and event.text in lexicon.happening | lexicon.taken
     over = behind is None or behind.text in lexicon.function_words or not behind.is_letters

@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.sketches.its_times.what_is_told import (
     recalled_from,
     told_from,
 )
+from fuzzytime.language.sentence.trees.reasons import begins_reason
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, SUBJECTS
 from fuzzytime.language.sentence.verbs.meant.actions import FINITE, Action
 from fuzzytime.requirement import BOUNDS, MOMENTS, Constraint
@@ -97,10 +98,26 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
             # "Soak it overnight so it's ready by six"; but "order it today so that it gets here on friday"
             continue
         start, end = part.span(nodes[so], nodes[-1])
-        own = not ends_so or denied or any(phrase.span[1] <= start for phrase in phrases)
+        # "Ring me so I can pick you up at five"
+        able = not lexicon.closed.requesting_modals.isdisjoint(
+            part.tree.said(part.tree.children(verb, "aux"))
+        )
+        able = able and nodes[subjects[0]].lower in lexicon.closed.first_and_second_person
+        own = not ends_so or denied or able or any(phrase.span[1] <= start for phrase in phrases)
         behind = any(phrase.span[0] >= start for phrase in phrases)
         thing = {nodes[p].lower for p in part.tree.children(action.place, "dobj")}
         if own and behind and nodes[subjects[0]].lower not in thing:
+            return start, end
+    return _later_use(part, phrases, action)
+
+
+def _later_use(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
+    """Give what is done with a thing later: "sow the peas for planting out in may"; but "… by friday"."""
+    nodes = part.tree.nodes
+    for place in range(action.place + 2, len(nodes)):
+        start, end = part.span(nodes[place - 1], nodes[-1])
+        used = nodes[place - 1].lower == "for" and nodes[place].lower in part.lexicon.asides["used later"]
+        if used and any(one.span[0] >= start and one.said.constraint in MOMENTS for one in phrases):
             return start, end
     return None
 
@@ -114,7 +131,7 @@ def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | N
             # "Take a coat in case it rains at noon"
             return part.span(nodes[place], nodes[-1])
     for place in range(action.place + 1, len(nodes)):
-        if nodes[place].lower in closed.subordinators_of_reason and nodes[place].relation == "mark":
+        if begins_reason(part.tree, place) and nodes[place].relation == "mark":
             reach = part.tree.reach(nodes[place].head)
             start, end = part.span(nodes[place], nodes[reach[1] - 1])
             if any(start <= phrase.span[0] < end for phrase in phrases):

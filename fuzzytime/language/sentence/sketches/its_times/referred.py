@@ -17,6 +17,10 @@ from fuzzytime.language.sentence.verbs.meant.actions import Action
 from fuzzytime.language.sentence.verbs.meant.small_clauses import reference_of
 from fuzzytime.requirement import MOMENTS, Constraint, Reference
 
+PUT = "put"
+OFF = frozenset({"off", "back"})
+"""Particles of "put it off until thursday", which gives it another time; but "put it on until noon"."""
+
 
 def referred(
     part: Part, times: OwnTimes, action: Action, operation: Operation
@@ -31,8 +35,11 @@ def referred(
     references = tuple(_reference(part, phrase, action, clauses) for phrase in phrases)
     if is_there(operation, part.lexicon):
         phrases = tuple(on_that_day(phrase) for phrase in phrases)
-    if not operation.negated and {operation.lemma, operation.phrase} & part.lexicon.moving:
+    moved = operation.lemma in part.lexicon.moving and (operation.lemma != PUT or operation.particle in OFF)
+    if moved and not operation.negated:
         phrases = tuple(put_off(phrase) for phrase in phrases)
+    elif not operation.negated:
+        references = _until_from_then(phrases, references)
     if _is_gone(operation, part.lexicon):
         references = tuple(None if one is Reference.THROUGHOUT else one for one in references)
     if operation.stated:
@@ -42,6 +49,16 @@ def referred(
             for phrase, one in zip(phrases, references, strict=True)
         )
     return phrases, clauses, references
+
+
+def _until_from_then(
+    phrases: Sequence[Phrase], references: tuple[Reference | None, ...]
+) -> tuple[Reference | None, ...]:
+    """Let what begins at a time go on all the while until another: "at six lock the hens in until eight"."""
+    clocks = [one.said for one in phrases if one.said.wall.clock is not None]
+    begun = any(one.constraint in MOMENTS or one.preposition == "from" for one in clocks)
+    ends = [begun and one.said.preposition == "until" for one in phrases]
+    return tuple(Reference.THROUGHOUT if end else one for one, end in zip(references, ends, strict=True))
 
 
 def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:

@@ -24,10 +24,12 @@ def tells_how_things_are(sketch: Sketch) -> bool:
     if not tree.nodes or sketch.clauses or not all(map(_is_present, own)):
         return False
     root = tree.root
-    if not subjects_before(tree, root):
+    # "There are tins in the cupboard"; but "there is milk to buy"
+    there = "there" in tree.said(tree.children(root, "expl")) and sketch.operation is None
+    if not (there or subjects_before(tree, root)):
         return False
     if tree.nodes[root].lower in closed.present_be:
-        return any(place > root for place in tree.children(root, *DESCRIBING))
+        return there or any(place > root for place in tree.children(root, *DESCRIBING))
     helping = tree.said(tree.children(root, "aux"))
     # "I'm knackered": a tree may have that for what is done to somebody.
     helping |= tree.said(tree.children(root, "auxpass")) if tree.nodes[0].tag == "PRP" else set()

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.words import Word, is_quoted, words_of
 from fuzzytime.language.instruction import NOT_USED, Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.named import SAID_BY
+from fuzzytime.language.sentence.trees.reasons import begins_reason
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.meant.actions import passes_on
@@ -104,7 +105,7 @@ def _reasons(tree: Tree) -> frozenset[int]:
     """
     closed, nodes = tree.lexicon.closed, tree.nodes
     whose = [p for verb in range(len(nodes)) if passes_on(tree, verb) for p in tree.children(verb, *SUBJECTS)]
-    marks = [p for p, node in enumerate(nodes) if node.lower in closed.subordinators_of_reason]
+    marks = [place for place in range(len(nodes)) if begins_reason(tree, place)]
     for place, node in enumerate(nodes):
         # "So we can …", "so that we can …"
         aims = node.lower in closed.subordinators_of_purpose and "so" in tree.said(

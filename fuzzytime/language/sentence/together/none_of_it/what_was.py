@@ -61,11 +61,11 @@ def has_done(sketch: Sketch) -> bool:
 
 
 def _has_been(tree: Tree, root: int) -> bool:
-    """Whether it tells what was until now: "rex has been in all morning", "she's been waiting since nine"."""
+    """Whether it tells what was until now: "rex has been in all morning", "there has been a delay"."""
     node, helping = tree.nodes[root], tree.said(tree.children(root, "aux", "auxpass"))
     lasted = node.lower == "been" or ("been" in helping and node.tag == "VBG")
     known = bool(helping) and helping - {"been"} <= tree.lexicon.closed.have
-    return lasted and known and any(p < root for p in tree.children(root, *SUBJECTS))
+    return lasted and known and any(p < root for p in tree.children(root, *SUBJECTS, "expl"))
 
 
 def is_over(sketch: Sketch) -> bool:

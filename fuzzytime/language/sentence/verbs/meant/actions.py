@@ -238,6 +238,9 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
     node = tree.nodes[verb]
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
     helping = tree.said(tree.children(verb, "aux", "auxpass"))
+    if "there" in tree.said(tree.children(verb, "expl")) and node.tag in PRESENT and not helping:
+        # "There is cake in the tin"; but "there is milk to buy"
+        return not any(tree.nodes[p].tag == "VB" for p in tree.below(verb))
     if subjects and tree.nodes[subjects[0]].lower == "it" and tree.children(verb, "dobj") and not helping:
         # "It burns the leaves"
         return node.tag == "VBZ" and node.lemma not in tree.lexicon.doing.taking | tree.lexicon.doing.needing

@@ -32,15 +32,19 @@ class VerbWords(Stated):
         return self.words([done], verb) if rests or acts else []
 
     def _joined_result(self, verb: int) -> list[int]:
-        """Give what "and" joins to a particle as what somebody is then: "get him up and washed"."""
+        """Give what "and" joins to a particle as what somebody is then: "get him up and washed".
+
+        Or to what is done with something as what is done with it next: "it must be signed and sent back".
+        """
         node = self.tree.nodes[verb]
-        if node.lemma not in self.lexicon.causing or not self.tree.children(verb, "dobj"):
+        done = node.tag == "VBN" and self.tree.children(verb, "auxpass")
+        if not done and (node.lemma not in self.lexicon.causing or not self.tree.children(verb, "dobj")):
             return []
         for place in self.tree.children(verb, "conj"):
             state = self.tree.nodes[place].tag in {"VBN", "VBD", "JJ"} and not self.timed(place)
             own = self.tree.children(place, *SUBJECTS, "dobj", "aux", "auxpass")
             if state and not own and place > 1 and self.tree.nodes[place - 1].tag == "CC":
-                return [place - 1, place]
+                return [place - 1, *(self.words([place], verb) if done else [place])]
         return []
 
     def _whole_verb(self, verb: int) -> list[int]:
@@ -128,8 +132,10 @@ class Particles(VerbWords):
         if verb not in above:
             return False
         # "Remind me to take it out", "tell Ann that the meeting is off"; but "turn it on | before I leave"
-        below = (p for p in above[: above.index(verb)] if self.tree.reach(p)[0] != place)
+        below = [p for p in above[: above.index(verb)] if self.tree.reach(p)[0] != place]
+        # "Sow peas for planting out"
         inner = any(self.has_to(p) or self._is_told(p) for p in below)
+        inner = inner or any(self.tree.nodes[p].relation == "pcomp" for p in below)
         return not inner and node.tag in {"IN", "RP", "RB"} and not owned
 
     def _is_told(self, verb: int) -> bool:
