@@ -19,6 +19,9 @@ LONGEST_MONTH, MONTHS = 31, 12
 FRACTIONS = frozenset({3, 6})
 """Digits of the thousandths of a second, and of its millionths."""
 
+HALF_DAY, HOUR = 12, 60
+"""Hours of half a day, and minutes of one of them."""
+
 FEW_HOURS = 3
 """Hours between two that something is around, at most."""
 
@@ -96,6 +99,17 @@ def around_hours(hedge: str, first: Integer, last: Integer) -> Said | None:
     if None in clocks or not 1 <= last.value - first.value <= FEW_HOURS or hedge in UPPER | LOWER:
         return None
     return Said(Range(*(Wall(clock=clock) for clock in clocks)), Constraint.BETWEEN, "between", (hedge,))
+
+
+@grammar.rule("said", "at? <clock> for <clock>", weight=1.5)
+def for_later(first: Clock, last: Clock) -> Said | None:
+    """(Supper) 7 for 7.30pm, 6.30 for 7pm: guests come between both; but "at 7 for 8" is how many."""
+    minutes = [clock.hour % HALF_DAY * HOUR + clock.minute for clock in (first, last)]
+    near = 0 < (minutes[1] - minutes[0]) % (HALF_DAY * HOUR) <= HOUR
+    told = last.minute > 0 or last.half is not None
+    if not (near and told) or first.shift or last.shift:
+        return None
+    return Said(Range(*(Wall(clock=clock) for clock in (first, last))), Constraint.BETWEEN, "between")
 
 
 @grammar.rule("date", "<month day> <month> <integer>", weight=0.9)

@@ -14,6 +14,7 @@ from fuzzytime.requirement import Condition
 LONGEST_STATE = 3
 """Words that say how something is, at most: "until light and fluffy"."""
 
+NO = "no"
 ITS = "its"
 """How "it's" is often typed."""
 
@@ -53,10 +54,14 @@ def _condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Con
     negated = any(p in inside for p in tree.children(verb, "neg"))
     if not subjects:
         return Condition(text=text, negated=negated)
+    # "If no lamps are on"; but "if no one is in" is as "nobody"
+    none = NO in tree.said(tree.children(subjects[0], "det"))
+    nobody = none and tree.nodes[subjects[0]].lower == "one"
+    negated = negated != (none and not nobody)
     subject = " ".join(
         tree.nodes[p].lower
         for p in sorted(tree.below(subjects[0]))
-        if p in inside and tree.nodes[p].tag not in ANY_DETERMINERS
+        if p in inside and (tree.nodes[p].tag not in ANY_DETERMINERS or nobody)
     )
     predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
     said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
@@ -103,10 +108,13 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
 
 
 def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
-    """Read "its dark", where the mark of what is short for "is" was left out."""
+    """Read "its dark", "nobody home", where "is" or the mark of what is short for it was left out."""
     said = [tree.nodes[p] for p in nodes]
     if len(said) < SHORTEST_BEING:
         return None
+    if len(said) == SHORTEST_BEING and said[0].lower in tree.lexicon.closed.indefinite_pronouns:
+        # "If nobody home"
+        return Condition(text=text, subject=said[0].lower, word=said[1].lower)
     if said[0].lower == ITS and (len(said) == SHORTEST_BEING or said[1].tag in SAYING_HOW):
         # "When its dark", "when its too hot", "if its over 70 degrees"
         *hedges, last = said[1:]
