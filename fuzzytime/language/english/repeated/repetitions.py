@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.joined.distances import UPPER
 from fuzzytime.language.meaning.units import UNIT_SECONDS, UnitWord
 from fuzzytime.requirement import Constraint, Unit
 
@@ -231,6 +232,15 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     days = unit is None or unit.unit not in SUB_DAY
     # "Twice a day": once in each half of it, and at no moment.
     return Repeat(Duration(((length / number, Unit.SECOND),)), shared=days)
+
+
+@grammar.rule("said", "<hedge> <integer> in|within any? <duration>", weight=0.5)
+def at_most_so_many(hedge: str, number: Integer, within: Duration) -> Said | None:
+    """No more than eight in 24 hours."""
+    if hedge not in UPPER or not 0 < number.value <= 1000 or within.seconds <= 0:
+        return None
+    often = Repeat(Duration(((within.seconds / number.value, Unit.SECOND),)))
+    return Said(often, Constraint.EVERY, hedges=(hedge,))
 
 
 @grammar.rule("repeat", "<integer> x <unit>", weight=0.5)

@@ -73,6 +73,7 @@ class Borders(Around):
             or self._hedges_what_follows(piece)
             or self._counts_another(piece)
             or any(map(self.doses.count, range(piece.start, piece.end)))
+            or self.doses.cap(piece)
             or self.dining.is_purpose(piece)
             or self.dining.is_covered(piece)
             or self.dining.is_subject(piece)

@@ -32,8 +32,10 @@ class Events(Around):
         place = said.time.anchor if isinstance(said.time, Offset) else said.time
         if isinstance(place, Wall) and place.part is not None and place.part.place:
             follower, before = self.around.follower(piece), "before" in self.texts[piece.start : piece.end]
-            if before and follower in self.closed.present_be:
-                # "Before school is over"
+            *_, led, the, _ = ("", "", "", *self.texts[: piece.start])
+            evening = the == "the" and led != "in" and self.around.is_part(piece.start - 1)
+            if before and (evening or follower in self.closed.present_be):
+                # "The night before school", "before school is over"
                 return True
             if isinstance(said.time, Offset) and not self.around.may_end(piece):
                 # "Ten minutes before school gates open"; but "… before school starts"

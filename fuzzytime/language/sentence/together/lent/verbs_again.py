@@ -42,13 +42,13 @@ def done_again_of(before: Operation, sketch: Sketch, text: str) -> Operation | N
     if said_again is not None and _is_it_after_all(before, said_again, lexicon) and sketch.phrases:
         # "Don't water the plants today, do it tomorrow"
         return replace(before, negated=False)
+    then = part.segment.connective in AGAIN
+    counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
+    if (then or part.segment.verbless) and counted is not None and (said_again is None or said_again.stated):
+        return counted
     things = said_again is not None and _names_several(before, said_again, rest, sketch)
     if sketch.operation is not None and not things and not _is_next_numbered(before, sketch):
         return None
-    then = part.segment.connective in AGAIN
-    counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
-    if (then or part.segment.verbless) and counted is not None:
-        return counted
     goes_on = any(_goes_on(phrase.said) for phrase in sketch.phrases)
     goes_on = goes_on and not _follows_length(text[: before.span[0]], lexicon)
     opener = rest.partition(" ")[0]
@@ -193,16 +193,18 @@ def _placed_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation |
 
 
 def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
-    """Give the operation before with another number: "two tablets now, then one at six"."""
-    words = (before.object or "").split()
+    """Give the operation before with another number: "two pills now, then one at six", "… then one pill"."""
+    words, (count, *named) = (before.object or "").split(), rest.lower().split() or [""]
     place = next(
         (p for p, word in enumerate(words) if word.lower() in lexicon.numbers or word.isdecimal()), None
     )
-    if place is None or not (rest.lower() in lexicon.numbers or rest.isdecimal()):
+    if place is None or not (count in lexicon.numbers or count.isdecimal()):
         return None
     noun = words[place + 1 :]
-    noun = [singular(noun[0]), *noun[1:]] if noun and rest.lower() in {"one", "1"} else noun
-    return replace(before, object=" ".join((*words[:place], rest, *noun)))
+    if named and [singular(word) for word in named] != [singular(word.lower()) for word in noun]:
+        return None
+    noun = [singular(noun[0]), *noun[1:]] if noun and count in {"one", "1"} else noun
+    return replace(before, object=" ".join((*words[:place], rest.split(maxsplit=1)[0], *noun)))
 
 
 def _valued_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
