@@ -127,9 +127,11 @@ class Lengths(Standing):
         place = piece.start - 1
         while place > 0 and not self.measures.is_number(place) and self._is_of_thing(place):
             place -= 1
-        counted = 0 < place < piece.start - 1 and self.measures.is_number(place)
+        counted = place < piece.start - 1 and self.measures.is_number(place)
         costs = not self.lexicon.no_times.costing.isdisjoint(self.texts[:place])
-        done = self.texts[place - 1].isalpha() and self.texts[place - 1] not in self.lexicon.function_words
+        # "Two walks | a day", "give her two walks | a day"
+        whom = self.lexicon.function_words - self.closed.object_pronouns
+        done = place == 0 or (self.texts[place - 1].isalpha() and self.texts[place - 1] not in whom)
         return counted and done and not costs and self.around.may_end(piece)
 
     def _is_of_thing(self, place: int) -> bool:

@@ -22,6 +22,9 @@ def led(sketches: list[Sketch], text: str) -> list[Sketch]:
     for sketch in sketches:
         before, segment = found[-1] if found else None, sketch.part.segment
         alone = before is not None and before.operation is None and _is_time_alone(before)
+        if before is not None and before.repeats and before.part.segment.connective == "then":
+            # "Use it twice a day for a week, then once a day for a week, then stop"
+            alone = alone and not found[:-1]
         steps = segment.connective in {"then", "first"}
         if before is not None and alone and (steps or _is_in_front(before, sketch, text)):
             waited = before.phrases
