@@ -112,7 +112,8 @@ def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     said = [tree.nodes[p] for p in nodes]
     if len(said) < SHORTEST_BEING:
         return None
-    if len(said) == SHORTEST_BEING and said[0].lower in tree.lexicon.closed.indefinite_pronouns:
+    somebody = said[0].lower in tree.lexicon.closed.indefinite_pronouns and said[1].text.isalpha()
+    if somebody and len(said) == SHORTEST_BEING:
         # "If nobody home"
         return Condition(text=text, subject=said[0].lower, word=said[1].lower)
     if said[0].lower == ITS and (len(said) == SHORTEST_BEING or said[1].tag in SAYING_HOW):
