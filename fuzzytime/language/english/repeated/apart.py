@@ -1,4 +1,4 @@
-"""What is done so many times, so long apart, or each so long: "twice, an hour apart"."""
+"""What is done so many times, at most, so long apart, or each so long: "twice, an hour apart"."""
 
 from dataclasses import replace
 
@@ -6,9 +6,9 @@ from fuzzytime.language.english.repeated.bounded_repetitions import from_first_t
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import Duration, Offset, Repeat, Said
-from fuzzytime.language.meaning.joined.distances import said_length
+from fuzzytime.language.meaning.joined.distances import UPPER, said_length
 from fuzzytime.language.meaning.joined.first_times import beginning, first_time
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 SIDES = 2
 """Of what is turned once."""
@@ -45,6 +45,15 @@ def in_all(number: Integer | int) -> int | None:
     """Five times, five in all."""
     times = number.value if isinstance(number, Integer) else number
     return times if 0 < times <= 1000 else None
+
+
+@grammar.rule("said", "<hedge> <integer> in|within any? <duration>", weight=0.5)
+def at_most_so_many(hedge: str, number: Integer, within: Duration) -> Said | None:
+    """No more than eight in 24 hours."""
+    if hedge not in UPPER or not 0 < number.value <= 1000 or within.seconds <= 0:
+        return None
+    often = Repeat(Duration(((within.seconds / number.value, Unit.SECOND),)))
+    return Said(often, Constraint.EVERY, hedges=(hedge,))
 
 
 @grammar.rule("repeat", "<repeat> ,|-|( <total> )?", "<repeat> for? <total>", weight=0.6)

@@ -234,13 +234,12 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     return Repeat(Duration(((length / number, Unit.SECOND),)), shared=days)
 
 
-@grammar.rule("said", "<hedge> <integer> in|within any? <duration>", weight=0.5)
-def at_most_so_many(hedge: str, number: Integer, within: Duration) -> Said | None:
-    """No more than eight in 24 hours."""
-    if hedge not in UPPER or not 0 < number.value <= 1000 or within.seconds <= 0:
-        return None
-    often = Repeat(Duration(((within.seconds / number.value, Unit.SECOND),)))
-    return Said(often, Constraint.EVERY, hedges=(hedge,))
+@grammar.rule("repeat", "<times> <repeat>", weight=0.6)
+def so_often_in(number: int, often: Repeat) -> Repeat | None:
+    """Twice weekly, three times monthly."""
+    units = (UnitWord(unit, 1, unit.value) for unit in (Unit.HOUR, Unit.WEEK, Unit.MONTH, Unit.YEAR))
+    unit = next((one for one in units if of_unit(one) == often), None)
+    return None if unit is None else so_often(number, unit)
 
 
 @grammar.rule("repeat", "<integer> x <unit>", weight=0.5)
