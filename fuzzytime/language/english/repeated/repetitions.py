@@ -11,7 +11,6 @@ from fuzzytime.language.meaning.expressions import (
     Edge,
     HourMark,
     Offset,
-    Quantity,
     Range,
     Repeat,
     Rest,
@@ -19,8 +18,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.joined.distances import UPPER
-from fuzzytime.language.meaning.units import UNIT_SECONDS, UnitWord
+from fuzzytime.language.meaning.units import UNIT_SECONDS, Quantity, UnitWord
 from fuzzytime.requirement import Constraint, Unit
 
 FEW = (2, 3)

@@ -53,7 +53,7 @@ class Further(Standing):
         if one is None:
             return []
         more = self._behind(one, cells, chosen)
-        if joint != "," or more:
+        if joint != "," or more or _is_whole(one):
             return [one, *more]
         # "At seven, nine and again at six"; but "on the first, third and fifth skewers"
         behind = self._joined(one.end)[1]
@@ -104,7 +104,8 @@ class Further(Standing):
         """Whether what stands behind a member of a list lets it be one."""
         if not self.around.may_end(piece) or self.cuts.runs_on(piece):
             return False
-        return joint != "," or self.around.follower(piece) in self.closed.coordinators
+        listed = joint != "," or self.around.follower(piece) in self.closed.coordinators
+        return listed or _is_whole(piece)
 
     def _joined(self, place: int) -> tuple[str, int]:
         """Give what joins a further time at a place, and where that begins: "or" of "at nine, or | ten"."""
@@ -150,6 +151,11 @@ def _clock_from(cell: Cell, end: int) -> list[Piece]:
     """Give the clock time in a cell that ends at a place."""
     said = (p for p in cell.get("said", {}).values() if p.end == end and isinstance(p.value.time, Wall))
     return [p for p in said if _is_open(p)][:1]
+
+
+def _is_whole(piece: Piece) -> bool:
+    """Whether a comma alone may stand before it: a typed day of the month, "on the 1st, 15th", a stretch."""
+    return (piece.rule != DAY_NAMED and _is_day_of_month(piece)) or isinstance(piece.value.time, Range)
 
 
 def _is_open(piece: Piece) -> bool:

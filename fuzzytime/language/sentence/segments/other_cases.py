@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.clauses.conditions import EXCEPTING
 from fuzzytime.requirement import Constraint
 
 OTHER_CASE = "otherwise"

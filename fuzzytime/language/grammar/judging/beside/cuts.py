@@ -45,6 +45,10 @@ class Cuts(Standing):
         if wall.part is not None and wall.part.half is not Half.NIGHT and texts[-2] == "at":
             # "Call mum at ten, | at sunset", "hens out at ten, | in at sunset"
             return self.around.is_part_or_meal(piece.end - 1)
+        if wall.part is not None and texts[-2] == ",":
+            # "Evening drops at seven, | night drops at eleven"
+            follower = self.around.follower(piece)
+            return follower.isalpha() and follower not in self.lexicon.function_words
         if wall.days is None:
             return False
         number = piece.end + (self.around.follower(piece) in OF_CLOCKS)
