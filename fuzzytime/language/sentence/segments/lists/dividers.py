@@ -183,15 +183,13 @@ def _head_entries(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> b
 
 
 def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30", "9-10 gym, …".
+    """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30".
 
     The first is one word, so that nothing is done with it that may be done with the others, too.
     """
     first = Entry.of(items[0], grammar, lexicon)
     # Most lines are no such list, and to read the others costs time.
     others = (Entry.of(item, grammar, lexicon) for item in items[1:])
-    if first.times and first.begins_with_stretch:
-        return all(entry.begins_with_stretch for entry in others)
     # "Croissants out at 6, baguettes at 7"
     named = [p for p in first.named if not p or first.words[p].text not in lexicon.beside.states]
     # "Remind me thursday, july 9 to call mum" is no thing with its time.

@@ -114,12 +114,6 @@ class Entry:
         return bool(self._number_at_end) or any(phrase.end >= last for phrase in self.times)
 
     @property
-    def begins_with_stretch(self) -> bool:
-        """Whether it begins with two numbers from when to when: "9-10 gym"."""
-        front = list(takewhile(_is_number, self.words))
-        return len(front) < len(self.words) and any(word.text == "-" for word in front)
-
-    @property
     def goes_on(self) -> bool:
         """Whether it corrects, or offers instead of, what stands before it: "at five - no, at six"."""
         corrects = longest_match(self.words, 0, self.lexicon.corrections) is not None
