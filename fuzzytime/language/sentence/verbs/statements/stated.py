@@ -219,10 +219,7 @@ class Stated(Places):
         happening = self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
         finite = finite or happening
         told = bool(subjects) and subjects[0] not in closed.subject_pronouns - closed.first_and_third_person
-        lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
-        goes = self.tree.nodes[verb].lower in doing.timed or (
-            lasts and self.tree.nodes[verb].lemma in doing.running
-        )
+        goes = self.tree.nodes[verb].lower in doing.timed
         # "Take the bins out tonight, it's recycling tomorrow"
         opens = bool(doing.opening_up & words)
         told = told or (subjects[:1] == ["it"] and (goes or happening or opens))
