@@ -168,7 +168,7 @@ class Lengths(Standing):
         cleaning = follower.endswith("ing")
         if before in self.lexicon.doing.spent or (cleaning and before in self.lexicon.doing.spending):
             # "Spend an hour cleaning", "take ten minutes to tidy up"
-            return cleaning or follower == "to" or self.around.may_end(piece)
+            return cleaning or self.around.may_end(piece)
         return self._goes_before(piece, duration, opens=opens) or self.around.may_end(piece)
 
     def _goes_before(self, piece: Piece, duration: Duration, *, opens: bool) -> bool:

@@ -35,8 +35,8 @@ class Ranges(Standing):
         if led and not self.around.may_end(piece):
             # "The Monday to Friday timetable", "order for friday 2-3 pizzas"
             return False
-        if self.around.describes(piece) or self.around.names_event(piece):
-            # "Watch the ten to midnight film", "after the matinee and before the evening show"
+        if self.around.describes(piece):
+            # "Watch the ten to midnight film"
             return False
         joint = self.texts[piece.start + 1]
         placed = self.texts[piece.start - 2] in self.lexicon.places or joint in self.beside.binding_ranges

@@ -4,7 +4,7 @@ from fuzzytime.english import is_participle, looks_plural, singular
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.surroundings.looked_up import LookedUp
-from fuzzytime.language.grammar.timetables import counts_nothing, has_time
+from fuzzytime.language.grammar.timetables import counts_nothing
 from fuzzytime.language.meaning.expressions import Said
 
 
@@ -30,13 +30,6 @@ class BehindTimes(LookedUp):
         known = known or (bool(further) and follower in self.lexicon.doing.needing)
         known = known or self._says_how(piece.end) or self._says_how_long(piece)
         return known or self._is_in_front(piece) or self._is_before_order(piece)
-
-    def names_event(self, piece: Piece) -> bool:
-        """Whether its part of the day is of what happens: "after the matinee and before the evening show"."""
-        led = piece.end - piece.start > 1 and self.texts[piece.end - 2] in self.closed.noun_openers
-        behind = "".join(self.texts[piece.end + 1 : piece.end + 2])
-        over = not behind[:1].isalnum() or behind in self.closed.joints_of_orders
-        return led and over and self.is_part(piece.end - 1) and has_time(self.follower(piece), self.lexicon)
 
     def _says_how(self, place: int) -> bool:
         """Whether a word says how it is done, and of no thing: "at six quietly", "at six asking for it".

@@ -127,8 +127,6 @@ def refined(said: Said, wall: Wall) -> Said | None:
     starts = said.lasting is not None and isinstance(time, Wall) and time.clock is not None
     if not (said.constraint in STRETCHES or beside or starts):
         return None
-    if said.preposition == "sometime" and not sometime:
-        return None
     if isinstance(time, Wall) and time.part is not None and time.days is None:
         # As in "after breakfast tomorrow", "before sunset tonight".
         near = wall.part is None or (

@@ -49,8 +49,6 @@ def _edge_of(words: set[str], told: Operation, place: int, anchors: Anchors) -> 
     """Give the end of somebody's stay that words of a clause are about."""
     closed, said = anchors.lexicon.closed, {told.particle, *(told.place or "").lower().split()[:1]} - {None}
     comes_there = comes(told, anchors.lexicon) or comes_by_name(told, anchors.lexicon)
-    if not words.isdisjoint(closed.adverbs_of_return):
-        return Edge.START if comes_there or words & said else Edge.END
     if not words.isdisjoint(closed.adverbs_of_absence):
         # "Mum is out from two", then "once she's gone"; but "boiler man from twelve to four"
         return Edge.END if comes_there or said <= closed.adverbs_of_arrival else Edge.START

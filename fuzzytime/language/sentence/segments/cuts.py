@@ -12,7 +12,6 @@ from fuzzytime.language.sentence.segments.borrowed_words.borrowing import wishes
 from fuzzytime.language.sentence.segments.further.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.further.other_doers import other_doers
 from fuzzytime.language.sentence.segments.further.verbs_left_out import verbs_left_out
-from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import Part, Waiting
 from fuzzytime.language.sentence.trees.named import may_have_it_done, takes_verb
@@ -130,7 +129,6 @@ def _gaps(one: Waiting, part: Part) -> set[int]:
     """Give where verbs are left out in the text, and nothing else is told or to be done."""
     nodes, timed = part.tree.nodes, {place for span in _times(one, part) for place in part.tree.at(*span)}
     others = [second_statement(part.tree, place, timed) for place in range(len(nodes))]
-    others += [p for p in range(2, len(nodes)) if is_order_between_times(part.tree, p, timed)]
     starts = {nodes[place].start + part.offset for place in others if place is not None}
     return set(verbs_left_out(one, part)) - starts
 

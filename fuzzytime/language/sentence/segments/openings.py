@@ -32,7 +32,7 @@ def behind_opening(
     begin = start
     while begin < end - 1:
         if begin in times:
-            # "Let's say noon"
+            # "Let's say noon"; "well before noon" is no "well"
             break
         suggestion = _suggested(words, begin, lexicon) or _supposed(words, begin, end, lexicon)
         if suggestion is not None and begin + len(suggestion) < end:
@@ -41,12 +41,7 @@ def behind_opening(
             begin = asked
         elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
             break
-        elif begin in times:
-            # "Well before noon" is no "well"
-            break
-        elif _is_somewhere(words, begin, times, lexicon):
-            break
-        elif _opens_clause(words, begin, end, lexicon):
+        elif _is_somewhere(words, begin, times, lexicon) or _opens_clause(words, begin, end, lexicon):
             # "So long as it is dry"
             break
         elif words[begin + 1].text in lexicon.closed.stative_verbs:

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Tree
 
 LEAST_ORDER = 2
@@ -24,28 +24,6 @@ def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     # "Drive to A1, pause ten seconds"
     lasts = tree.nodes[place + 1].lower == "for" or node.lower in tree.lexicon.doing.waiting
     return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
-
-
-def is_order_between_times(tree: Tree, place: int, timed: set[int]) -> bool:
-    """Whether it is a second order without an object: "dock at noon and charge until it is full".
-
-    Where the first has an object, it may be another: "feed the cat at six and dog at seven"; but who names
-    one with an article does what has none: "strip the wall on monday and paint on tuesday".
-    """
-    root, node, behind = tree.root, tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    if root >= place or tree.children(root, *SUBJECTS):
-        return False
-    objects = tree.children(root, "dobj", "oprd")
-    led = all(tree.nodes[p].tag in DETERMINERS for thing in objects for p in sorted(tree.below(thing))[:1])
-    if objects and not (led and node.lower in tree.lexicon.chores):
-        return False
-    # "Tape the edges today, sand tomorrow, paint on saturday"
-    closed = tree.lexicon.closed
-    joints = closed.joints_of_things if objects else closed.additive_conjunctions
-    joined = tree.nodes[place - 1].lower in joints and place - 2 in timed
-    bare = node.may_act and node.lower == node.lemma and tree.nodes[root].is_verb
-    ends = place + 1 in timed or any((word.lower,) in tree.lexicon.clauses for word in behind)
-    return joined and bare and ends
 
 
 def is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:

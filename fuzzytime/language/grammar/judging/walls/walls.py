@@ -206,7 +206,7 @@ class Walls(Standing):
 
     def _is_of_noun(self, piece: Piece, said: Said) -> bool:
         """Whether a part of the day describes the noun behind it."""
-        if (piece.start > 0 and self.around.names_event(piece)) or is_of_timed_activity(piece, self.around):
+        if is_of_timed_activity(piece, self.around):
             return True
         if self.around.may_end(piece) or self.around.is_spent(piece):
             return False

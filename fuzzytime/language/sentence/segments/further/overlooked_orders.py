@@ -5,7 +5,6 @@ from collections.abc import Set as AbstractSet
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_order_before_time,
-    is_order_between_times,
 )
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
@@ -31,7 +30,6 @@ def is_overlooked(tree: Tree, place: int, timed: set[int]) -> bool:
         or _is_done_between(tree, place, timed)
         or is_further_step(tree, place, timed)
         or is_order_before_time(tree, place, timed)
-        or is_order_between_times(tree, place, timed)
         or (place - 2 in timed and _has_numbered(tree, place))
     )
 

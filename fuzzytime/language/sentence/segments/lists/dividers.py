@@ -183,7 +183,7 @@ def _head_entries(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> b
 
 
 def _each_is_timed(items: Sequence[str], grammar: Grammar, lexicon: Lexicon) -> bool:
-    """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30", "9-10 gym, …".
+    """Whether commas stand between things that each have a clock time: "obs 8:00, meds 8:30".
 
     The first is one word, so that nothing is done with it that may be done with the others, too.
     """

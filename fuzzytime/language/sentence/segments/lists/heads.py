@@ -9,7 +9,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import blanked
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.segments.lists.entries import Entry
 
 HEAD = re.compile(r"\s*([^\d\W][^:,;]*?)\s*(?::(?=\s)|\s[-–—](?=\s))")
@@ -67,10 +67,8 @@ def _is_time(told: Sequence[Word]) -> bool:
 
 
 def is_head(phrase: Phrase) -> bool:
-    """Whether a time is a day, a part of one, or a repetition of days, and no hour."""
+    """Whether a time is a day, or a part of one, and no hour."""
     time = phrase.said.time
-    if isinstance(time, Repeat):
-        return bool(time.walls) and all(wall.clock is None and wall.part is None for wall in time.walls)
     # "Lunch: soup, bread" is what there is for it.
     bound = phrase.said.preposition is not None or not is_meal(time)
     return isinstance(time, Wall) and time.clock is None and bound

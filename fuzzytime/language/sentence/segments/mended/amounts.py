@@ -65,8 +65,6 @@ def _things(tree: Tree) -> Iterator[tuple[int, int, int, bool]]:
         if place == first:
             return
         last = place - 1
-        if place + 1 < len(nodes) and nodes[place].lower == "of" and nodes[place + 1].tag in NOUNS:
-            place += 2
         yield start, last, place, unit
         joints = place
         while place < len(nodes) and nodes[place].lower in tree.lexicon.closed.joints_of_things:

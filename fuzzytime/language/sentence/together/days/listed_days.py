@@ -36,8 +36,6 @@ def listed_below_day(first: Sketch, sketch: Sketch, between: str, text: str) -> 
     day = next(iter(first.phrases), None)
     if between.strip() != ";" or day is None or text[: day.span[0]].strip():
         return False
-    if heads_list(first, text):
-        return True
     if day.said.wall.days is None or day.said.wall.clock is None:
         return False
     hour = next(iter(sketch.phrases), None)

@@ -114,13 +114,6 @@ class Stated(Places):
         ]
         return self._performing(verb) or out[:1]
 
-    def _has_frame(self, verb: int) -> bool:
-        """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
-        subjects = self.tree.said(self.tree.children(verb, "nsubj"))
-        objects = (self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj", "attr"))
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
-        return has and not self.lexicon.frames.isdisjoint(objects)
-
     def _is_standing(self, verb: int) -> bool:
         """Whether it is said in what state something is for a while: "the bridge is closed until noon".
 
@@ -230,15 +223,12 @@ class Stated(Places):
         if self._is_foretold(verb, helping):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
-        if (finite and self._has_frame(verb)) or self._has_then(verb):
+        if self._has_then(verb):
             return True
         happening = self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
         finite = finite or happening
         told = bool(subjects) and subjects[0] not in closed.subject_pronouns - closed.first_and_third_person
-        lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
-        goes = self.tree.nodes[verb].lower in doing.timed or (
-            lasts and self.tree.nodes[verb].lemma in doing.running
-        )
+        goes = self.tree.nodes[verb].lower in doing.timed
         # "Take the bins out tonight, it's recycling tomorrow"
         opens = bool(doing.opening_up & words)
         told = told or (subjects[:1] == ["it"] and (goes or happening or opens))
