@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.instruction import Span, blanked
 from fuzzytime.language.sentence.segments.borrowed import in_place, with_borrowed
 from fuzzytime.language.sentence.segments.mended.aims import with_aim, with_purpose
+from fuzzytime.language.sentence.segments.mended.joined_things import with_joined
 from fuzzytime.language.sentence.segments.mended.mended_things import (
     with_bare_thing,
     with_event_names,
@@ -21,7 +22,6 @@ from fuzzytime.language.sentence.segments.mended.mended_trees import (
     as_order,
     as_somewhere,
     as_thing,
-    with_joined,
     with_reminded,
 )
 from fuzzytime.language.sentence.segments.mended.needed_deeds import with_needed_deed, with_owner
