@@ -153,8 +153,8 @@ class Language:
         """Compose drafts so that their lines go through a day, if they may, and not through the night.
 
         The first of them may be earlier in the day, or a little while ago where lines go on from there in
-        order; in the evening, all may be of tomorrow. What is between others may be at other hours than
-        usual: "gym 9.45", "party 10.30", "lunch 12.30".
+        order; in the evening, or where their first hour is over, all may be of tomorrow. What is between
+        others may be at other hours than usual: "gym 9.45", "party 10.30", "lunch 12.30".
         """
         found = self._in_turn(drafts, given)
         if not found[1][-1].astray:
@@ -170,6 +170,10 @@ class Language:
             if days and found[1][-1].astray:
                 other = self._in_turn(days, given, early=early)
                 found = min(found, other, key=lambda one: one[1][-1].astray)
+        over = on_next_day(drafts, over=True) if found[1][-1].astray else []
+        later = self._in_turn(over, given) if over else found
+        if later[1][-1].in_order and not later[1][-1].astray:
+            return later
         other = self._in_turn(drafts, given, usual=False) if found[1][-1].astray else found
         said, otherwise = found[1][-1], other[1][-1]
         # Lines in no order are no nearer to one at unlikely hours; those of a night are astray all the same.

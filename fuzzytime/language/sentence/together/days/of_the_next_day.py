@@ -23,17 +23,16 @@ UP_SECONDS = 5 * 3600
 """Seconds of a day before which people are up at night, and not early."""
 
 
-def on_next_day(drafts: Sequence[Draft]) -> list[Draft]:
+def on_next_day(drafts: Sequence[Draft], *, over: bool = False) -> list[Draft]:
     """Give lines as if "tomorrow:" stood above; none where they name their day.
 
-    They were written in the evening, or begin at an hour that is over.
+    They were written in the evening; or, where that is asked, begin at an hour that is ``over``.
     """
-    evening = _is_of_evening(drafts)
-    if not _name_no_day(drafts) or not (evening or _begin_before_now(drafts)):
+    if not (_name_no_day(drafts) and _begin_before_now(drafts) if over else _is_of_evening(drafts)):
         return []
     day = Phrase(Said(Wall(TOMORROW)), 0, 0, (0, 0), HEADED, above=NEXT_DAY)
     timed = next((place for place, draft in enumerate(drafts) if draft.phrases), 0)
-    other = TONIGHT if evening else TODAY
+    other = TODAY if over else TONIGHT
     message = (
         f"{NEXT_DAY} is taken as the day of this and the other lines: say '{other}:' above them if it is not"
     )
