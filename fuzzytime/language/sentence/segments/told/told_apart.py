@@ -3,7 +3,7 @@
 It is told apart from what stands before it, which trees take together with it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.english import is_participle
@@ -29,20 +29,49 @@ LONGEST = 4
 
 def with_told_apart(scanned: Scanned) -> str:
     """Give a text of the same length with a stop in front of each that is said so."""
-    words, text, lexicon = scanned.words, scanned.text, scanned.lexicon
+    words, text = scanned.words, scanned.text
+    for mark in {mark for find in APART_BY for mark in find(scanned)}:
+        text = text[: words[mark].start] + STOP.ljust(len(words[mark].text)) + text[words[mark].end :]
+    return text
+
+
+def _behind_days(scanned: Scanned) -> Iterator[int]:
+    """Give the joints behind the days on which something is told to be: "the exam's monday | so revise"."""
+    if any(word.text.endswith(IS) for word in scanned.words[1:-1]):
+        yield from (phrase.end for phrase in phrases_of(scanned) if _is_of_day(scanned, phrase))
+
+
+def _behind_workers(scanned: Scanned) -> Iterator[int]:
+    """Give the marks before what further workers do: "robot 1 docks at two | , robot 2 leaves"."""
+    workers = [p for p in range(2, len(scanned.words) - WORKING) if _acts_too(scanned, p)]
+    timed = places_in(phrases_of(scanned)) if workers else frozenset()
+    yield from (p for p in workers if p - 1 in timed and _asks_before(scanned, p, timed))
+
+
+def _behind_being_there(scanned: Scanned) -> Iterator[int]:
+    """Give the marks behind where somebody is to be by a time: "in bed by seven | , lights off at eight"."""
+    there = [place for place in range(len(scanned.words) - 1) if _begins_there(scanned, place)]
+    phrases = phrases_of(scanned) if there else ()
+    timed = places_in(phrases)
+    ends = (_end_of_being_there(scanned, place, phrases) for place in there if place not in timed)
+    yield from (end for end in ends if end)
+
+
+def _before_denials(scanned: Scanned) -> Iterator[int]:
+    """Give the marks before what is denied by its name: "walk the dog daily | , no walks on sundays"."""
+    words = scanned.words
+    denied = [p for p in range(2, len(words)) if words[p].text == NO and words[p - 1].text in MARKS]
+    phrases = phrases_of(scanned) if denied else ()
+    yield from (place - 1 for place in denied if _denies(scanned, place, phrases))
+
+
+def _before_ends_and_needs(scanned: Scanned) -> Iterator[int]:
+    """Give the marks before what says that all is over by a time, or that something needs something."""
+    words, lexicon = scanned.words, scanned.lexicon
     ended = lexicon.beside.ended - lexicon.particles.keys()
     places = [p for p in range(2, len(words)) if words[p].text in ended or _needs_deed(scanned, p)]
-    is_then = [p for p in range(1, len(words) - 1) if words[p].text.endswith(IS)]
-    denied = [p for p in range(2, len(words)) if words[p].text == NO and words[p - 1].text in MARKS]
-    workers = [p for p in range(2, len(words) - WORKING) if _acts_too(scanned, p)]
-    there = [p for p in range(len(words) - 1) if _begins_there(scanned, p)]
-    phrases = phrases_of(scanned) if places or is_then or denied or there or workers else ()
-    stops = [phrase.end for phrase in phrases if _is_of_day(scanned, phrase)]
+    phrases = phrases_of(scanned) if places else ()
     timed = places_in(phrases)
-    stops += [p for p in workers if p - 1 in timed and _asks_before(scanned, p, timed)]
-    ends_there = (_end_of_being_there(scanned, place, phrases) for place in there if place not in timed)
-    stops += [end for end in ends_there if end]
-    stops += [place - 1 for place in denied if _denies(scanned, place, phrases)]
     ends = {p.first: p.end for p in phrases if p.said.constraint in {Constraint.BEFORE, *MOMENTS}}
     for place in places:
         end = ends.get(place + 1, 0) if words[place].text in ended else -1
@@ -51,10 +80,11 @@ def with_told_apart(scanned: Scanned) -> str:
         # "Tomorrow, the car needs washing", "once it's dry, the fence needs painting"
         asks = any(words[p].is_letters and p not in timed for p in range(first, mark))
         if mark and asks and longest_match(words, first, lexicon.clauses) is None:
-            stops.append(mark)
-    for mark in stops:
-        text = text[: words[mark].start] + STOP.ljust(len(words[mark].text)) + text[words[mark].end :]
-    return text
+            yield mark
+
+
+APART_BY = (_behind_days, _behind_workers, _behind_being_there, _before_denials, _before_ends_and_needs)
+"""What gives the marks in front of what is told apart."""
 
 
 def with_brackets_apart(scanned: Scanned) -> str:
