@@ -289,6 +289,13 @@ def _is_told(requirement: TimeRequirement) -> bool:
 
 
 def _parameters(operation: Operation | None) -> dict[str, str]:
-    parts = ("verb", "object", "place", "manner", "purpose")
-    said = {} if operation is None else {part: getattr(operation, part) for part in parts}
+    if operation is None:
+        return {}
+    said = {
+        "verb": operation.verb,
+        "object": operation.object,
+        "place": operation.place,
+        "manner": operation.manner,
+        "purpose": operation.purpose,
+    }
     return {part: words for part, words in said.items() if words}

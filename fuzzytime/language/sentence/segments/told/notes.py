@@ -71,11 +71,10 @@ def _bracketed(scanned: Scanned) -> Iterator[Span]:
 
 def _adds(inside: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words in brackets only add something: "booked", "half a tin"; but "if it's dry", "Ann"."""
-    first = inside[0].text if inside else ""
+    if not inside or inside[0].capital or not inside[0].text.isalnum():
+        return False
     known = lexicon.closed.joints_of_orders | lexicon.closed.negators | lexicon.closed.alternatives
-    case = bool(inside) and longest_match(inside, 0, lexicon.clauses) is not None
-    called = bool(inside) and inside[0].capital
-    return first.isalnum() and first not in known and not (case or called)
+    return inside[0].text not in known and longest_match(inside, 0, lexicon.clauses) is None
 
 
 def _tells(inside: Sequence[Word], lexicon: Lexicon) -> bool:
